@@ -1228,10 +1228,6 @@
         <translation>sind links und rechts vertauscht, wähle %1, wo auch vorn und hinten vertauscht sind, sonst %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>ein Vergleichsblatt ist eine png-, pdf- oder svg-Datei</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Gib der Datei eine dieser Endungen</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Sichere sie zuerst, damit die Datei der Abbildung sie nennen kann</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>eine Abbildung ist eine Datei der Art png, pdf oder svg</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1730,6 +1722,138 @@
     <message>
         <source>the file holds no such mesh</source>
         <translation>die Datei enthält kein solches Netz</translation>
+    </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>es ist kein Netz dieses Formats</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; die Struktur bleibt als leere Zeile</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>die Datei enthält keine solche Bemalung</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>es beginnt nicht wie das, was auf ein Netz gemalt ist</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>es beginnt nicht wie die Voxel eines Scans</translation>
+    </message>
+    <message>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>ihre Einheit ist angegeben (%1) und wurde befolgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 liegt auf der anderen Seite, als der Name sagt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liegen auf der anderen Seite, als ihre Namen sagen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>Moleküle sind mit 1 Å als 1 mm gezeichnet, zehn Millionen Mal so groß wie „%1“ neben ihnen; kein Maßstab gilt für beide, öffne sie also getrennt</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>Segmentierungen von SlicerRT sind RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält, und das sind nicht so viele, wie sie hat; sie wurde so platziert, als wäre der Ursprung ihr eigener</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nennt die Voxel %1 eines Referenzbildes und eine Verschiebung darin, wie es Dateien mit eigenem Ursprung tun; sie wurde allein nach ihrem Ursprung platziert</translation>
+    </message>
+    <message>
+        <source>the files are of %1 patients: %2</source>
+        <translation>die Dateien sind von %1 Patienten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>die Dateien sind von %1 Studien, und nichts sagt, dass sie von einem Patienten sind: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gib die Dateien eines Patienten an, oder füge sie mit Absicht zusammen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>sie kam aus mehr als %1 Studien</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>was schon da war, wird jetzt als %1 gelesen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links und rechts sind bei dem, was schon da war, jetzt sicher: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden im Namen von %1 Struktur weggelassen, der von dem einer Datei kommt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden in den Namen von %1 Strukturen weggelassen, die von denen von Dateien kommen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>ist ein Scan und kein Labelvolumen: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gib einen Schwellenwert an, der eine Struktur daraus macht, oder wähle die Segmentierung, die davon gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturen kommen aus einer Segmentierung oder einem RT-Strukturset von DICOM, aus Labelkarten und Netzen, die aus den Bildern entstanden, oder von einem Schwellenwert</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nenne eine der gespeicherten Ansichten der Szene</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Ändere es in der Datei der Abbildung</translation>
+    </message>
+    <message>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>ein Vergleichsblatt ist eine pdf-, svg-, png- oder tiff-Datei</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>eine Abbildung ist eine pdf-, svg-, png- oder tiff-Datei</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>eine Tiefe von 1 Bit lässt nur Schwarz und Weiß, und die Abbildung hat Töne</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>Mache die Abbildung schwarz-weiß („black_and_white“: true) oder nimm 8 Bit</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Nimm weniger Punkte je Zoll, oder schließe andere Programme</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
     </message>
 </context>
 <context>
@@ -2559,6 +2683,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Sonst, wie die Gruppe heißt, die alles enthält, oder ohne eine solche die Datei</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Pixel je Zoll von PNG und TIFF; Zeitschriften verlangen 300 oder 600, für reine Strichzeichnungen bis 1200</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 Bit, Tinte oder Papier</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 Bit ist für Abbildungen in Schwarz-Weiß, wie Druckereien Strichzeichnungen nehmen</translation>
     </message>
 </context>
 <context>
@@ -4406,6 +4550,10 @@
         <translation>der Maßstab</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>die Legende</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>was Schnitte weggenommen haben</translation>
     </message>
@@ -5528,12 +5676,45 @@
         <translation>%1, der geglätteten Oberfläche</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>Die gewählten Strukturen ausblenden</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>Im &amp;Fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Wählen, was im Fokus ist</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>den Text der Ansicht</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>das, wonach sich Γ richtet</translation>
+    </message>
+    <message>
         <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
         <translation>Das Bild endet %1 mm über seinem Fuß, weil für das, was dort steht, sonst kein Platz ist.</translation>
     </message>
     <message>
         <source>Choose a view that leaves room, or leave words or credits out.</source>
         <translation>Wählen Sie eine Ansicht, die Platz lässt, oder lassen Sie Text oder Quellen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>oder</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +6062,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Zeigt das Gewählte untereinander, sonst alles zusammen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-Bild (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6186,10 +6371,6 @@ OpenGL: %3</translation>
         <translation>Abbildung &amp;sichern…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Als PDF, SVG oder PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -6252,6 +6433,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Als PDF, SVG, PNG oder TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>Die Seite, wie sie war; sie wird neu gezeichnet …</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>Die Seite, wie sie war; %1 hat sich geändert</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>Die Seite, wie sie vor der letzten Änderung war</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-Bild (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6469,10 +6674,6 @@ OpenGL: %3</translation>
         <translation>Wie groß die Buchstaben der Bildfelder sind</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Maßstäbe und Legende sind ein Fünftel kleiner; nichts darf kleiner als 6 pt sein</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Wie breit Konturen sind, in allen Bildfeldern gleich</translation>
     </message>
@@ -6483,10 +6684,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Ohne Perspektive stimmt ein Maßstab überall</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Was aus Linien wird, die dünner als 0,25 pt sind; Schraffuren bleiben</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6520,6 +6717,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Über wie viele Zeilen der Seite das Bildfeld reicht</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Wie weit Bildfelder voneinander entfernt sind</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Damit sich Größen vergleichen lassen: Ein Maßstab gilt für alle Bildfelder; vergrößerte Ausschnitte bleiben vergrößert</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>Von Beschriftungen, Maßstäben und Legende, wie de, la oder de+la; leer: die der Szene</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>Eine Abbildung mit kleineren wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Woran dünne Linien gemessen werden</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Maßstäbe und Legende sind ein Fünftel kleiner</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Was aus Linien wird, die zum Drucken zu dünn sind; Schraffuren bleiben</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Zur Seite verschoben auf die Mitte dessen, was dieses Bildfeld zeigt</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>Anstelle des nächsten; ein Leerzeichen für keinen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Zwischen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Kleinste Schrift</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Dünnste Linien</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Gleicher Maßstab in allen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>Auf die eigene Mitte</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R und L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Buchstabe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6534,6 +6799,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Wird gezeichnet…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Die Abbildung wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Nicht weiter schreiben; eine Datei, die schon da war, bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Abgebrochen; es wurde nichts geschrieben</translation>
     </message>
 </context>
 <context>
@@ -6986,6 +7274,13 @@ OpenGL: %3</translation>
     <message>
         <source>Take %1 as the Unit</source>
         <translation>%1 als Einheit nehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n Struktur wurde als %1 gelesen, anders als allein: So passt sie zur offenen Szene</numerusform>
+            <numerusform>%n Strukturen wurden als %1 gelesen, anders als allein: So passen sie zur offenen Szene</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7686,6 +7981,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen von Dateien &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Dateien heißen oft nach Patienten: Von ihren Namen und denen von Ordnern werden nur Wörter der Anatomie und des Programms zu Namen von Strukturen und Gruppen, und der Rest ist nicht in der Szene, außer wenn dies an ist</translation>
     </message>
 </context>
 <context>
@@ -8664,6 +8967,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Gelesen als %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Vorn und hinten sind nicht sicher: Namen nennen nur links und rechts.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8791,10 +9098,6 @@ OpenGL: %3</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Wörter in beliebiger Reihenfolge. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Keine Struktur heißt so</translation>
     </message>
@@ -8804,6 +9107,10 @@ OpenGL: %3</translation>
             <numerusform>%n Struktur – Eingabe wählt sie</numerusform>
             <numerusform>%n Strukturen – Eingabe wählt sie</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Wörter in beliebiger Reihenfolge; „%1“ oder ein Komma dazwischen findet das eine wie das andere. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
     </message>
 </context>
 <context>

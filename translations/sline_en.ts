@@ -296,6 +296,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::ImportActions</name>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n structure was read as %1, unlike alone: so it goes with the open scene</numerusform>
+            <numerusform>%n structures were read as %1, unlike alone: so they go with the open scene</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ImportDraft</name>
     <message numerus="yes">
         <source>%n steps</source>

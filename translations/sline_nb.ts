@@ -1228,10 +1228,6 @@
         <translation>er venstre og høyre byttet om, velg %1 der også foran og bak er byttet om, ellers %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>et sammenligningsark er en png-, pdf- eller svg-fil</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Gi filen en av disse endelsene</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Lagre den først, så figurens fil kan nevne den</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>en figur er en png-, pdf- eller svg-fil</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1730,6 +1722,138 @@
     <message>
         <source>the file holds no such mesh</source>
         <translation>filen inneholder ikke noe slikt nett</translation>
+    </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>det er ikke noe nett i dette formatet</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; strukturen blir stående som en tom rad</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>filen inneholder ingen slik maling</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>det begynner ikke som det som er malt på et nett</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>det begynner ikke som voxlene i en skanning</translation>
+    </message>
+    <message>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>enheten er oppgitt (%1) og ble fulgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligger på den andre siden enn navnet sier</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 ligger på den andre siden enn navnene sier</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>molekyler er tegnet med 1 Å som 1 mm, ti millioner ganger så store som «%1» ved siden av; ingen målestokk gjelder for begge, så åpne dem hver for seg</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmenteringer fra SlicerRT er RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde, og det er ikke så mange som den har; den ble plassert som om origo var dens eget</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nevner vokslene %1 av et referansebilde og en forskyvning i det, slik filer med eget origo gjør; den ble plassert etter sitt origo alene</translation>
+    </message>
+    <message>
+        <source>the files are of %1 patients: %2</source>
+        <translation>filene er av %1 pasienter: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>filene er av %1 undersøkelser, og ingenting sier at de er av én pasient: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gi filene til én pasient, eller sett dem sammen med hensikt</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>den kom fra mer enn %1 undersøkelser</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>det som allerede var der, leses nå som %1: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>venstre og høyre i det som allerede var der, er nå sikre: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnet på %1 struktur, som kommer fra en fils</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnene på %1 strukturer, som kommer fra filers</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>er en skanning og ikke et etikettvolum: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gi en terskel som lager en struktur av den, eller velg segmenteringen som ble laget av den</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturer kommer fra en DICOM-segmentering eller et RT-struktursett, fra etikettkart og nett laget av bildene, eller fra en terskel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nevn en av scenens lagrede visninger</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Endre det i figurens fil</translation>
+    </message>
+    <message>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>et sammenligningsark er en pdf-, svg-, png- eller tiff-fil</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>en figur er en pdf-, svg-, png- eller tiff-fil</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>en dybde på 1 bit gir bare svart og hvitt, og figuren har toner</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>La figuren være svart-hvit («black_and_white»: true), eller velg 8 bit</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Velg færre punkter per tomme, eller lukk andre programmer</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
     </message>
 </context>
 <context>
@@ -2559,6 +2683,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Ellers det gruppen heter som inneholder alt, eller filen der det ikke er noen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Oppløsning</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Piksler per tomme i PNG og TIFF; tidsskrifter ber om 300 eller 600, og inntil 1200 der det bare er streker</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 bit, blekk eller papir</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 bit er for figurer i svart-hvitt, slik trykkerier tar strektegninger</translation>
     </message>
 </context>
 <context>
@@ -4406,6 +4550,10 @@
         <translation>målestokken</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>tegnforklaringen</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>hva snitt har tatt bort</translation>
     </message>
@@ -5528,12 +5676,45 @@
         <translation>%1, av den glattede overflaten</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>Skjul de valgte strukturene</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>I &amp;fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Velg det som er i fokus</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>visningens tekst</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>det Γ følger</translation>
+    </message>
+    <message>
         <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
         <translation>Bildet slutter %1 mm over sin nedre kant, fordi det som står der, ikke har annen plass.</translation>
     </message>
     <message>
         <source>Choose a view that leaves room, or leave words or credits out.</source>
         <translation>Velg en visning som gir plass, eller utelat tekst eller kilder.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>det som er åpent</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>eller</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +6062,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Viser det valgte under hverandre, ellers alt sammen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-bilde (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6186,10 +6371,6 @@ OpenGL: %3</translation>
         <translation>&amp;Lagre figur…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Som PDF, SVG eller PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Lukk</translation>
     </message>
@@ -6252,6 +6433,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Forkast</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Som PDF, SVG, PNG eller TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>Siden slik den var; den tegnes på nytt …</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>Siden slik den var; %1 er endret</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>Siden slik den var før den siste endringen</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-bilde (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6469,10 +6674,6 @@ OpenGL: %3</translation>
         <translation>Hvor store bokstavene på panelene er</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Målestokker og forklaring er en femtedel mindre; ingenting kan være mindre enn 6 pt</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Hvor brede konturer er, like i alle paneler</translation>
     </message>
@@ -6483,10 +6684,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Uten perspektiv stemmer en målestokk overalt</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Hva som skjer med linjer tynnere enn 0,25 pt; skravering blir som den er</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6520,6 +6717,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Hvor mange rader av siden panelet er høyt</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Hvor langt feltene står fra hverandre</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Slik at størrelser kan sammenlignes: én målestokk gjelder for alle felt; forstørrede deler forblir forstørret</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>For etiketter, målestokker og tegnforklaring, som de, la eller de+la; tomt: scenens eget</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>En figur med mindre avvises</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Det tynne linjer måles etter</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Målestokker og tegnforklaring er en femdel mindre</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Hva som skjer med linjer som er for tynne til å trykkes; skravering blir stående</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Flyttet til siden, til midten av det feltet viser</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>I stedet for den neste; et mellomrom for ingen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Mellom felt</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Minste skrift</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Tynneste linjer</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Samme målestokk i alle felt</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>På sin egen midte</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R og L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Bokstav</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6534,6 +6799,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Tegner…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Figuren skrives …</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Slutt å skrive; en fil som fantes fra før, forblir som den er</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Stoppet; ingenting ble skrevet</translation>
     </message>
 </context>
 <context>
@@ -6986,6 +7274,13 @@ OpenGL: %3</translation>
     <message>
         <source>Take %1 as the Unit</source>
         <translation>Bruk %1 som enhet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n struktur ble lest som %1, annerledes enn alene: slik passer den til den åpne scenen</numerusform>
+            <numerusform>%n strukturer ble lest som %1, annerledes enn alene: slik passer de til den åpne scenen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7686,6 +7981,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>&amp;Behold filnavn</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Filer heter ofte etter pasienter: av navnene deres og mappenes blir bare ord fra anatomien og programmet navn på strukturer og grupper, og resten er ikke i scenen, med mindre dette er på</translation>
     </message>
 </context>
 <context>
@@ -8664,6 +8967,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Lest som %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Foran og bak er ikke sikkert: navn sier bare venstre og høyre.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8791,10 +9098,6 @@ OpenGL: %3</translation>
         <translation>Farge</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Ord i vilkårlig rekkefølge. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Ingen struktur heter det</translation>
     </message>
@@ -8804,6 +9107,10 @@ OpenGL: %3</translation>
             <numerusform>%n struktur – Enter velger den</numerusform>
             <numerusform>%n strukturer – Enter velger dem</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Ord i vilkårlig rekkefølge; «%1» eller et komma mellom dem finner begge deler. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
     </message>
 </context>
 <context>

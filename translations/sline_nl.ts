@@ -1228,10 +1228,6 @@
         <translation>zijn links en rechts verwisseld, kies dan %1 waar ook voor en achter verwisseld zijn, anders %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>een vergelijkingsblad is een png-, pdf- of svg-bestand</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Geef het bestand een van deze extensies</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Sla haar eerst op, zodat het bestand van de figuur haar kan noemen</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>een figuur is een png-, pdf- of svg-bestand</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1730,6 +1722,138 @@
     <message>
         <source>the file holds no such mesh</source>
         <translation>het bestand bevat geen zo’n net</translation>
+    </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>het is geen net van dit formaat</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; de structuur blijft als lege rij staan</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>het bestand bevat geen zo’n beschildering</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>het begint niet zoals wat op een net is geschilderd</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>het begint niet zoals de voxels van een scan</translation>
+    </message>
+    <message>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>de eenheid is opgegeven (%1) en werd gevolgd</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligt aan de andere kant dan de naam zegt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liggen aan de andere kant dan hun namen zeggen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>moleculen zijn getekend met 1 Å als 1 mm, tien miljoen keer zo groot als ‘%1’ ernaast; geen schaalbalk geldt voor beide, open ze dus apart</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmentaties van SlicerRT zijn RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat, en dat zijn er niet zoveel als het heeft; het werd geplaatst alsof de oorsprong van hemzelf was</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>noemt de voxels %1 van een referentiebeeld en een verschuiving daarin, zoals bestanden met een eigen oorsprong doen; het werd alleen op zijn oorsprong geplaatst</translation>
+    </message>
+    <message>
+        <source>the files are of %1 patients: %2</source>
+        <translation>de bestanden zijn van %1 patiënten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>de bestanden zijn van %1 onderzoeken, en niets zegt dat ze van één patiënt zijn: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Geef de bestanden van één patiënt, of voeg ze met opzet samen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>ze kwam uit meer dan %1 onderzoeken</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>wat er al was, wordt nu als %1 gelezen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links en rechts van wat er al was, zijn nu zeker: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de naam van %1 structuur, die van een bestand komt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de namen van %1 structuren, die van bestanden komen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>is een scan en geen labelvolume: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Geef een drempel die er een structuur van maakt, of kies de segmentatie die ervan gemaakt is</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Structuren komen uit een DICOM-segmentatie of RT-structurenset, uit labelkaarten en netten die van de beelden gemaakt zijn, of van een drempel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Noem een van de bewaarde aanzichten van de scène</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Verander het in het bestand van de figuur</translation>
+    </message>
+    <message>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>een vergelijkingsblad is een pdf-, svg-, png- of tiff-bestand</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>een figuur is een pdf-, svg-, png- of tiff-bestand</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>een diepte van 1 bit laat alleen zwart en wit over, en de figuur heeft tinten</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>Maak de figuur zwart-wit (&quot;black_and_white&quot;: true), of neem 8 bits</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Neem minder punten per inch, of sluit andere programma’s</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
     </message>
 </context>
 <context>
@@ -2559,6 +2683,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Anders hoe de groep heet die alles bevat, of het bestand als er geen is</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolutie</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Pixels per inch van PNG en TIFF; tijdschriften vragen 300 of 600, en tot 1200 waar er alleen lijnen zijn</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 bit, inkt of papier</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 bit is voor figuren in zwart-wit, zoals drukkers lijntekeningen nemen</translation>
     </message>
 </context>
 <context>
@@ -4406,6 +4550,10 @@
         <translation>de schaalbalk</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>de legenda</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>wat doorsneden hebben weggenomen</translation>
     </message>
@@ -5528,12 +5676,45 @@
         <translation>%1, van het gladgemaakte oppervlak</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>De gekozen structuren verbergen</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>In &amp;focus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Kiezen wat in focus is</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>de tekst van het aanzicht</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>wat Γ volgt</translation>
+    </message>
+    <message>
         <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
         <translation>Het beeld eindigt %1 mm boven zijn onderrand, omdat wat daar staat geen andere plaats heeft.</translation>
     </message>
     <message>
         <source>Choose a view that leaves room, or leave words or credits out.</source>
         <translation>Kies een aanzicht dat ruimte laat, of laat tekst of bronnen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>wat open is</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>of</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +6062,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Toont het gekozene onder elkaar, anders alles samen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-afbeelding (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6186,10 +6371,6 @@ OpenGL: %3</translation>
         <translation>Figuur op&amp;slaan…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Als PDF, SVG of PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Sluiten</translation>
     </message>
@@ -6252,6 +6433,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerpen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Als PDF, SVG, PNG of TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>De pagina zoals die was; ze wordt opnieuw getekend…</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>De pagina zoals die was; %1 is veranderd</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>De pagina zoals die voor de laatste wijziging was</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-afbeelding (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6469,10 +6674,6 @@ OpenGL: %3</translation>
         <translation>Hoe groot de letters van panelen zijn</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Schaalbalken en legenda zijn een vijfde kleiner; niets mag kleiner zijn dan 6 pt</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Hoe breed contouren zijn, in alle panelen gelijk</translation>
     </message>
@@ -6483,10 +6684,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Zonder perspectief klopt een schaalbalk overal</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Wat er gebeurt met lijnen dunner dan 0,25 pt; arceringen blijven</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6520,6 +6717,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Hoeveel rijen van de pagina het paneel hoog is</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Hoe ver vakken uit elkaar staan</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Zodat groottes te vergelijken zijn: één schaalbalk geldt voor alle vakken; vergrote delen blijven vergroot</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>Van labels, schaalbalken en legenda, zoals de, la of de+la; leeg: die van de scène</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>Een figuur met kleinere wordt geweigerd</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Waaraan dunne lijnen worden gemeten</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Schaalbalken en legenda zijn een vijfde kleiner</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Wat er gebeurt met lijnen die te dun zijn om te drukken; arcering blijft</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Opzij verplaatst naar het midden van wat dit vak toont</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>In plaats van de volgende; een spatie voor geen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Tussen vakken</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Kleinste letters</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Dunste lijnen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Taal</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Zelfde schaal in alle vakken</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>Op het eigen midden</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R en L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6534,6 +6799,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Wordt getekend…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>De figuur wordt geschreven…</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Stoppen met schrijven; een bestand dat er al was, blijft zoals het is</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Gestopt; er is niets geschreven</translation>
     </message>
 </context>
 <context>
@@ -6986,6 +7274,13 @@ OpenGL: %3</translation>
     <message>
         <source>Take %1 as the Unit</source>
         <translation>%1 als eenheid nemen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n structuur werd als %1 gelezen, anders dan alleen: zo past ze bij de open scène</numerusform>
+            <numerusform>%n structuren werden als %1 gelezen, anders dan alleen: zo passen ze bij de open scène</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7686,6 +7981,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen van bestanden be&amp;houden</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Bestanden heten vaak naar patiënten: van hun namen en die van mappen worden alleen woorden van de anatomie en van het programma namen van structuren en groepen, en de rest staat niet in de scène, tenzij dit aan is</translation>
     </message>
 </context>
 <context>
@@ -8664,6 +8967,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Gelezen als %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Voor en achter zijn niet zeker: namen noemen alleen links en rechts.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8791,10 +9098,6 @@ OpenGL: %3</translation>
         <translation>Kleur</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Woorden in willekeurige volgorde. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Geen structuur heet zo</translation>
     </message>
@@ -8804,6 +9107,10 @@ OpenGL: %3</translation>
             <numerusform>%n structuur – Enter kiest hem</numerusform>
             <numerusform>%n structuren – Enter kiest ze</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Woorden in willekeurige volgorde; “%1” of een komma ertussen vindt het ene en het andere. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
     </message>
 </context>
 <context>

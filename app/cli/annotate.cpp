@@ -89,9 +89,14 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
   const auto nodes = nodesNamed(scene, name);
   if (!nodes.ok())
     return nodes.error();
+  std::vector<model::NodeId> structures;
   for (const model::NodeId id : *nodes)
     if (!scene.find(id)->isGroup())
-      return id;
+      structures.push_back(id);
+  if (structures.size() == 1)
+    return structures.front();
+  if (!structures.empty())
+    return ambiguousName(scene, name, structures);
   std::string inside;
   for (const model::NodeId id : scene.structuresBelow(nodes->front()))
     inside += (inside.empty() ? "" : ", ") + scene.find(id)->name;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "app/cli/files/flag_words.h"
 #include "app/cli/files/names.h"
 #include "app/cli/flags/scene_input.h"
 #include "model/base/result.h"
@@ -50,7 +51,7 @@ void addManual(CLI::App& program, Exit& exit);
 
 /// Says what went wrong on standard error and returns the exit code.
 inline Exit complain(const Error& error, Exit code) {
-  std::cerr << "sline: " << onOneLine(error.text()) << '\n';
+  std::cerr << "sline: " << withFlags(onOneLine(error.text())) << '\n';
   return code;
 }
 

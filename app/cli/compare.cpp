@@ -194,7 +194,7 @@ void declareCompare(CLI::App& command, CompareFlags& flags) {
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command
       .add_option("-o,--output", flags.picture.output,
-                  "The sheet: svg and pdf with lines as lines and text as text, or png")
+                  "The sheet: svg and pdf with lines as lines and text as text, or png or tiff")
       ->required()
       ->type_name("FILE");
   command
@@ -225,7 +225,7 @@ void declareCompare(CLI::App& command, CompareFlags& flags) {
       ->type_name("MM")
       ->check(within(render::cellLimitsMm))
       ->capture_default_str();
-  command.add_option("--dpi", flags.dpi, "Pixels to the inch, for png")
+  command.add_option("--dpi", flags.dpi, "Pixels to the inch, for png and tiff")
       ->type_name("N")
       ->check(within(render::dpiLimits))
       ->capture_default_str();

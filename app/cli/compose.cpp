@@ -12,9 +12,8 @@
 #include "model/figure/figure_file.h"
 #include "model/figure/figure_keys.h"
 #include "model/look/opening_look.h"
-#include "render/export/encoding/xml_text.h"
 #include "render/export/figure/figure_checks.h"
-#include "render/export/order/common_options.h"
+#include "render/export/figure/figure_options.h"
 #include "render/lettering/typesetting.h"
 
 namespace sline::cli {
@@ -24,8 +23,7 @@ namespace {
 struct ComposeFlags {
   std::string figure;
   std::vector<std::string> outputs;
-  double dpi = 600.0;
-  TypedOptions credit;
+  TypedOptions options;
 };
 
 Status checkComposeTargets(const ComposeFlags& flags, const std::vector<std::string>& scenes) {
@@ -66,46 +64,57 @@ Result<ReadScenes> readScenes(const model::Figure& figure, const std::string& fi
 }
 
 Exit writeFigures(const render::ComposedFigure& figure, const ComposeFlags& flags,
-                  const render::ExportCredit& credit) {
-  const Interruption interruption;  // what is written is soon whole
-  const render::DrawnPage page = render::pageOf(figure, credit);
-  for (const std::string& output : flags.outputs)
-    if (const Status written = render::writePage(page, output, float(flags.dpi)); !written.ok())
+                  const render::ExportOrder& options, const render::ExportProgress& tell,
+                  Progress& progress) {
+  for (const std::string& output : flags.outputs) {
+    const Status written = render::writeFigure(figure, options, output, tell);
+    progress.wipe();
+    if (!written.ok())
       return complain(written.error(), Exit::failed);
+  }
   return Exit::done;
 }
 
+/// Says what the panels lack, and what cannot be printed; returns whether all can.
+bool tellFaults(const render::ComposedFigure& figure, const std::string& file) {
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    for (const render::ExportNote& note : figure.panels[i].plate.notes)
+      warn(file + ": " + model::panelName(figure.plan.figure, i) + ": " + factOf(note));
+  const std::vector<Error> faults = render::printFaults(figure);
+  for (Error fault : faults) {
+    fault.file = file;
+    complain(fault, Exit::failed);
+  }
+  return faults.empty();
+}
+
 Exit compose(const ComposeFlags& flags, const render::FigurePlan& plan,
-             const render::ExportCredit& credit) {
+             const render::ExportOrder& options) {
+  const Interruption interruption;
   Progress progress;
-  const Result<render::ComposedFigure> figure =
-      render::composeFigure(plan, [&progress](double share, std::string_view what) {
-        progress.show(share, std::string(what));
-        return true;
-      });
+  const render::ExportProgress tell([&](double share, std::string_view what) {
+    progress.show(share, std::string(what));
+    return !interruption.wanted();
+  });
+  const Result<render::ComposedFigure> figure = render::composeFigure(plan, tell);
   progress.wipe();
   if (!figure.ok())
     return complain(figure.error(), Exit::failed);
-  for (std::size_t i = 0; i < figure->panels.size(); ++i)
-    for (const render::ExportNote& note : figure->panels[i].plate.notes)
-      warn(flags.figure + ": " + model::panelName(plan.figure, i) + ": " + factOf(note));
-  const std::vector<Error> faults = render::printFaults(*figure);
-  for (Error fault : faults) {
-    fault.file = flags.figure;
-    complain(fault, Exit::failed);
-  }
-  return faults.empty() ? writeFigures(*figure, flags, credit) : Exit::failed;
+  return tellFaults(*figure, flags.figure) ? writeFigures(*figure, flags, options, tell, progress)
+                                           : Exit::failed;
 }
 
 Exit runCompose(const ComposeFlags& flags) {
-  render::ExportOrder credited;
-  if (const Status fine = flags.credit.applyTo(credited); !fine.ok())
+  render::ExportOrder options = render::usualFigureOrder();
+  if (const Status fine = flags.options.applyTo(options); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   if (const Status fine = checkComposeTargets(flags, {}); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   const Result<model::Figure> figure = model::readFigure(flags.figure);
   if (!figure.ok())
     return complain(figure.error(), Exit::failed);
+  if (const Status fine = render::checkFigureOptions(options, figure->blackAndWhite); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   const Result<ReadScenes> read = readScenes(*figure, flags.figure);
   if (!read.ok())
     return complain(read.error(), Exit::failed);
@@ -114,15 +123,13 @@ Exit runCompose(const ComposeFlags& flags) {
   const auto typesetting = render::Typesetting::create();
   if (!typesetting.ok())
     return complain(typesetting.error(), Exit::failed);
-  Result<render::FigurePlan> plan = render::planFigure(*figure, read->scenes);
+  Result<render::FigurePlan> plan = render::planFigure(*figure, read->scenes, options);
   if (!plan.ok()) {
     Error error = plan.error();
     error.file = flags.figure;
     return complain(error, Exit::failed);
   }
-  return compose(
-      flags, *plan,
-      {render::plainLine(credited.credit.author), render::plainLine(credited.credit.copyright)});
+  return compose(flags, *plan, options);
 }
 
 /// Returns the keys of a figure's file, as help lists them.
@@ -144,16 +151,12 @@ void declareCompose(CLI::App& command, ComposeFlags& flags) {
                   "The figure's file (json): its panels, from views of scenes beside it")
       ->required();
   many(command.add_option("-o,--output", flags.outputs,
-                          "The figure: svg and pdf with lines as lines and text as text, or png; "
-                          "may be given again"))
+                          "The figure: svg and pdf with lines as lines and text as text, or png or "
+                          "tiff; may be given again"))
       ->required()
       ->type_name("FILE");
-  command.add_option("--dpi", flags.dpi, "Pixels to the inch, for png")
-      ->type_name("N")
-      ->check(within(render::dpiLimits))
-      ->capture_default_str();
-  for (const render::ExportOption* option : render::creditOptions())
-    flags.credit.declare(command, *option);
+  for (const render::ExportOption* option : render::figureOptions())
+    flags.options.declare(command, *option, {}, render::usualFigureOrder());
   command.footer(
       "A figure shows saved views of one or several scenes as panels a, b, c ... on one page.\n"
       "Nothing is written where letters or lines are smaller than the figure allows.\n\n"
@@ -163,7 +166,7 @@ void declareCompose(CLI::App& command, ComposeFlags& flags) {
       "              {\"view\": \"Pelvic floor\", \"camera\": {\"like\": \"a\"}},\n"
       "              {\"inset\": {\"of\": \"a\", \"part\": [30, 35, 20, 15], \"lines\": "
       "true}}]}\n\n"
-      "  sline compose figure1.json -o figure1.pdf -o figure1.png --dpi 600\n\n" +
+      "  sline compose figure1.json -o figure1.pdf -o figure1.tiff --dpi 600\n\n" +
       keysText());
 }
 

@@ -2,6 +2,8 @@
 #include "app/cli/draw_scene.h"
 
 #include "app/cli/flags/drawing_flags.h"
+#include "model/edit/look.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::cli {
 
@@ -14,7 +16,9 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Scene> drawn = inDrawingStyle(*focus, spec);
   if (!drawn.ok())
     return drawn.error();
-  const Result<model::Scene> dressed = styled(*drawn, spec);
+  PictureSpec colours = spec;
+  colours.blackAndWhite = false;
+  const Result<model::Scene> dressed = styled(*drawn, colours);
   if (!dressed.ok())
     return dressed.error();
   const Result<model::Scene> cut = cutOpen(*dressed, spec);
@@ -23,17 +27,9 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Camera> camera = cameraFor(*cut, spec);
   if (!camera.ok())
     return camera.error();
-  ArrangedScene arranged{*cut, *camera, nullptr};
-  if (spec.blackAndWhite) {
-    PictureSpec coloured = spec;
-    coloured.blackAndWhite = false;
-    const Result<model::Scene> colours = styled(*drawn, coloured);
-    const Result<model::Scene> open = colours.ok() ? cutOpen(*colours, coloured) : colours;
-    if (!open.ok())
-      return open.error();
-    arranged.inColour = std::make_shared<const model::Scene>(*open);
-  }
-  return arranged;
+  if (!spec.blackAndWhite)
+    return ArrangedScene{*cut, *camera, {}};
+  return ArrangedScene{model::withInkAlone(*cut).scene, *camera, render::looksInColour(*cut)};
 }
 }  // namespace
 
@@ -52,7 +48,10 @@ Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene&
   spec.labels.words = shownViewWords(scene, spec);
   if (const Status ready = prepareLabels(spec.labels, *shown, pageMm); !ready.ok())
     return ready.error();
-  return arrangeShownScene(*shown, spec);
+  Result<ArrangedScene> arranged = arrangeShownScene(*shown, spec);
+  if (arranged.ok())
+    spec.labels.style.inColour = arranged->inColour;
+  return arranged;
 }
 
 Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& progress) {
@@ -62,7 +61,6 @@ Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& pr
       arrangeOnPage({height * spec.size.aspect(), height}, scene, spec);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
-  spec.labels.inColour = arranged->inColour;
   const Status drawn = drawToFile(arranged->scene, arranged->camera, spec, progress);
   if (!drawn.ok()) {
     progress.wipe();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
 #include "app/cli/command.h"
 #include "app/cli/flags/picture_flags.h"
 
@@ -11,8 +9,7 @@ namespace sline::cli {
 struct ArrangedScene {
   model::Scene scene;
   model::Camera camera;
-  /// As ExportOrder::inColour: where the scene is of ink alone.
-  std::shared_ptr<const model::Scene> inColour;
+  render::LooksInColour inColour;  ///< where the scene has black ink alone
 };
 
 /// Returns the scene as the order wants it drawn, with its camera. An error counts as wrong use.

@@ -179,7 +179,7 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
   render::ExportOrder job = wish.job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.inColour = arranged.inColour;
+  job.labels.inColour = arranged.inColour;
   job.viewName = wish.spec.labels.viewName;
   job.words = wish.spec.labels.words;
   if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());

@@ -37,12 +37,16 @@ int exitCodeAfterOutput(int code) {
   return code == int(Exit::done) ? int(Exit::failed) : code;
 }
 
-std::vector<std::string> inputsFirst(const CLI::App& program,
-                                     const std::vector<std::string>& arguments) {
+/// Returns the sub-command that the arguments begin with, or null.
+const CLI::App* commandOf(const CLI::App& program, const std::vector<std::string>& arguments) {
   const auto commands = program.get_subcommands([&arguments](const CLI::App* each) {
     return !arguments.empty() && each->get_name() == arguments.front();
   });
-  const CLI::App* command = commands.empty() ? nullptr : commands.front();
+  return commands.empty() ? nullptr : commands.front();
+}
+
+std::vector<std::string> inputsFirst(const CLI::App* command,
+                                     const std::vector<std::string>& arguments) {
   return sline::cli::withInputsFirst(
       arguments, {.valuesOf =
                       [command](const std::string& option) {
@@ -87,8 +91,14 @@ int run(int argc, char** argv) {
   sline::cli::addDemoPictures(program, exit);
   sline::cli::addManual(program, exit);
   try {
-    std::vector<std::string> arguments =
-        inputsFirst(program, {argv + std::min(argc, 1), argv + argc});
+    const std::vector<std::string> given{argv + std::min(argc, 1), argv + argc};
+    const CLI::App* command = commandOf(program, given);
+    if (const std::string wrong = command ? sline::cli::valueMissing(*command, given) : "";
+        !wrong.empty()) {
+      std::cerr << "sline: " << wrong << '\n';
+      return int(Exit::wrongUse);
+    }
+    std::vector<std::string> arguments = inputsFirst(command, given);
     // CLI11 takes the arguments from the last to the first.
     std::reverse(arguments.begin(), arguments.end());
     program.parse(arguments);

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/cli/files/flag_words.h"
 #include "app/cli/flags/values.h"
 #include "model/scene/known_frame.h"
 
@@ -129,12 +130,12 @@ std::string planText(const model::ImportPlan& plan) {
     out << "triangles will be made fewer, with no part of a surface moved by more than "
         << jsonText(jsonNumber(plan.options.decimateMm)) << " mm\n";
   for (const std::string& note : plan.report.notes)
-    out << note << '\n';
+    out << withFlags(note) << '\n';
   if (!plan.report.repairs.summary.empty())
     out << plan.report.repairs.summary << '\n';
   for (const model::ImportWarning& warning : plan.report.warnings)
     out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
-        << warning.reason << '\n';
+        << withFlags(warning.reason) << '\n';
   return out.str();
 }
 

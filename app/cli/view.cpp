@@ -11,6 +11,7 @@
 #include "app/cli/view_words.h"
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"
+#include "model/look/opening_look.h"
 #include "model/scene/markup.h"
 #include "model/scene_file/scene_file.h"
 #include "model/scene_json/camera_json.h"
@@ -94,13 +95,18 @@ Status chooseLabels(const model::Scene& scene, const std::string& text, model::V
   return Unit{};
 }
 
-/// Returns the view that the flags describe, of a scene that they leave unchanged.
+/// Returns the view that the flags describe, of a scene that they leave unchanged. `before` is the
+/// view that it replaces: what they do not say stays as that has it.
 Result<model::View> viewFromFlags(const model::Scene& scene, const ViewFlags& flags,
-                                  const std::string& name) {
-  const Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
+                                  const std::string& name, const model::View* before = nullptr) {
+  Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
   if (!spec.ok())
     return spec.error();
-  const model::Scene start = withSavedView(scene, *spec);
+  const bool fromBefore = before && !savedView(scene, spec->view);
+  const model::Scene start =
+      fromBefore ? model::withViewApplied(scene, *before).scene : withSavedView(scene, *spec);
+  if (fromBefore && spec->view.empty() && !spec->camera)
+    spec->camera = before->camera;
   const Result<model::Scene> focus = inFocus(start, *spec);
   if (!focus.ok())
     return focus.error();
@@ -171,7 +177,8 @@ Outcome updateNamedView(const model::Scene& scene, const ViewFlags& flags) {
   const Result<std::size_t> place = indexOfView(scene, flags.update);
   if (!place.ok())
     return place.error();
-  const Result<model::View> view = viewFromFlags(scene, flags, flags.update);
+  const Result<model::View> view =
+      viewFromFlags(scene, flags, flags.update, &scene.views()[*place]);
   if (!view.ok())
     return view.error();
   model::Edited updated = model::withViewUpdated(scene, *place, *view);
@@ -230,7 +237,11 @@ Outcome removeView(const model::Scene& scene, const std::string& name) {
   return model::withoutView(scene, *place);
 }
 
-Outcome applyEdit(const model::Scene& scene, const ViewFlags& flags) {
+Outcome applyEdit(const model::Scene& given, const ViewFlags& flags) {
+  // A view says how everything is drawn, and a scene with such a view opens without a look of its
+  // own (model::hasNoLook): it keeps the one that it has been drawn with.
+  const bool looks = !flags.add.empty() || !flags.update.empty();
+  const model::Scene scene = looks ? model::dressed(given) : given;
   if (!flags.update.empty())
     return updateNamedView(scene, flags);
   if (!flags.tell.empty())
@@ -335,7 +346,8 @@ void declareWork(CLI::App& command, ViewFlags& flags) {
   CLI::Option_group* work = command.add_option_group("What to do, one of");
   work->add_option("--add", flags.add, "Saves a view by that name, after those there are")
       ->type_name("NAME");
-  work->add_option("--update", flags.update, "Saves that view anew")->type_name("NAME");
+  work->add_option("--update", flags.update, "Changes that view: what is not said stays as it is")
+      ->type_name("NAME");
   work->add_option("--tell", flags.tell, "Changes what is said with that view, and nothing else")
       ->type_name("NAME");
   work->add_option("--rename", flags.rename, "Gives a view another name")->type_name("OLD=NEW");

@@ -32,7 +32,7 @@ bool NamePatterns::add(std::string_view text, std::size_t value, int rank) {
 }
 
 std::optional<std::size_t> NamePatterns::match(std::string_view name) const {
-  const std::vector<std::string> words = nameWords(name);
+  const std::vector<std::string> words = affirmedWords(name);
   const std::size_t headEnd = endOfHead(words);
   using Merit = std::tuple<int, bool, std::size_t, std::size_t>;
   const Pattern* best = nullptr;

@@ -20,7 +20,8 @@ class NamePatterns {
 
   /// Returns the value of the pattern that fits the name best: highest rank, then most words, then
   /// most letters, then the one added first. A pattern with a rank counts more before "of" than
-  /// behind it: the vein of a nucleus is a vein. Returns nothing where no pattern occurs in the
+  /// behind it: the vein of a nucleus is a vein. What the name takes away does not count (see
+  /// affirmedWords). Returns nothing where no pattern occurs in the
   /// name.
   std::optional<std::size_t> match(std::string_view name) const;
 

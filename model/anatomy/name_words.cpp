@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/anatomy/name_words.h"
 
+#include <algorithm>
+#include <array>
+
 #include "model/base/letters.h"
 
 namespace sline::model {
@@ -20,6 +23,35 @@ std::string lowerCaseOfUtf8(std::string text) {
     before = c;
   }
   return text;
+}
+
+using Words = std::vector<std::string>;
+
+template <std::size_t N>
+bool isOneOf(const std::string& word, const std::array<std::string_view, N>& list) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+constexpr std::array<std::string_view, 4> targets{"gtv", "ctv", "ptv", "itv"};
+constexpr std::array<std::string_view, 12> takeTheRest{"without", "minus", "except", "excluding",
+                                                       "sparing", "ohne",  "sans",   "sine",
+                                                       "zonder",  "uten",  "excl",   "exkl"};
+constexpr std::array<std::string_view, 8> takeTheNext{"no",    "non",   "not",  "kein",
+                                                      "keine", "nicht", "geen", "ikke"};
+constexpr std::array<std::string_view, 7> whatOneIsFreeOf{
+    "tumour", "tumor", "lesion", "cancer", "disease", "metastasis", "carcinoma"};
+
+/// Returns the name before a dash that takes a target volume away.
+std::string_view beforeSubtraction(std::string_view name) {
+  for (std::size_t at = name.find('-', 1); at != std::string_view::npos;
+       at = name.find('-', at + 1)) {
+    const bool follows = isLetter(name[at - 1]) || isDigit(name[at - 1]);
+    const Words rest = wordsOf(name.substr(at + 1));
+    const bool atOnce = at + 1 < name.size() && isLetter(name[at + 1]);
+    if (follows && atOnce && !rest.empty() && isOneOf(rest.front(), targets))
+      return name.substr(0, at);
+  }
+  return name;
 }
 
 }  // namespace
@@ -54,6 +86,26 @@ std::vector<std::string> nameWords(std::string_view name) {
   for (std::string& word : words)
     word = singular(std::move(word));
   return words;
+}
+
+std::vector<std::string> affirmedWords(std::string_view name) {
+  const Words words = nameWords(beforeSubtraction(name));
+  Words affirmed;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (isOneOf(words[i], takeTheRest))
+      break;
+    if (isOneOf(words[i], takeTheNext)) {
+      ++i;
+      continue;
+    }
+    const bool freeOf =
+        i + 1 < words.size() && words[i + 1] == "free" && isOneOf(words[i], whatOneIsFreeOf);
+    if (freeOf)
+      ++i;
+    else
+      affirmed.push_back(words[i]);
+  }
+  return affirmed;
 }
 
 std::string singular(std::string word) {

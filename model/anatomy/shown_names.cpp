@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <unordered_set>
+#include <vector>
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/name_words.h"
@@ -76,11 +78,26 @@ constexpr std::string_view anatomyWords =
     "trochlear true trunk tubercle twelfth typical upper urine uterosacral uvular variant "
     "vermian vertical viscerocranium vivo vocal wall wrist";
 
+/// Lists words that turn the sense of others round or bound it, in the languages of names: a name
+/// without them would say something else.
+constexpr std::string_view qualifyingWords =
+    "no not non none without minus plus except excluding excluded including spared sparing "
+    "remaining suspected suspicious possible probable uncertain unknown presumed ohne kein keine "
+    "nicht verdacht verdächtig fraglich sans sine zonder geen niet uten ikke ingen ipsilateral "
+    "contralateral ipsi contra affected unaffected uninvolved visible invisible missing preserved "
+    "cut divided injured ligated planned predicted expected measured simulated prv itv ptv ctv gtv "
+    "nrv optnrv glnd musc strct";
+
+/// Lists words that tell volumes of a plan of radiotherapy apart; elsewhere they may be a person's.
+constexpr std::string_view planWords =
+    "high low intermediate medium boost ring bag bolus couch avoid opt eval evl oar dvh fx";
+
 class KnownWords {
  public:
   KnownWords() {
     add(ownWords);
     add(anatomyWords);
+    add(qualifyingWords);
     static const AnatomicalNames names;
     for (const NameRow& row : names.rows()) {
       for (const std::string& name : row.names)
@@ -114,11 +131,33 @@ enum class Telling {
   unknown,
 };
 
-Telling tellingOf(const std::string& word) {
+/// Returns the word without the unit of a length or dose at its end.
+std::string_view withoutUnit(std::string_view word) {
+  for (const std::string_view unit : {"mm", "cm", "cgy", "gy"}) {
+    if (word.size() > unit.size() && word.ends_with(unit) && isDigit(word.front()))
+      return word.substr(0, word.size() - unit.size());
+  }
+  return word;
+}
+
+/// Tells whether the number can only be a dose in cGy, beside a target of radiotherapy: no year and
+/// no day has it.
+bool isDose(std::string_view number) {
+  return number.size() == 4 && number >= "2100" && number <= "9900" &&
+         (number.back() == '0' || number.back() == '5');
+}
+
+/// Tells whether one of the words names a target volume of radiotherapy.
+bool namesTarget(const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word == "ptv" || word == "ctv" || word == "gtv" || word == "itv";
+  });
+}
+
+Telling tellingOf(const std::string& word, bool target) {
   static const KnownWords known;
   constexpr std::size_t mostDigits = 2;  // more may be a date of birth or a number of a register
-  const std::string_view number =
-      std::string_view(word).substr(0, word.size() - (word.ends_with("mm") ? 2 : 0));
+  const std::string_view number = withoutUnit(word);
   if (std::all_of(number.begin(), number.end(), isDigit))
     return number.size() <= mostDigits ? Telling::nothing : Telling::unknown;
   // "a", and "a1" or "t12", which are parts of a figure or levels of the spine.
@@ -128,14 +167,16 @@ Telling tellingOf(const std::string& word) {
       (letter && word.size() <= 1 + mostDigits) || sideOfWord(word) != Side::none ||
       fromRoman(word) != 0)
     return Telling::nothing;
-  return known.has(word) ? Telling::something : Telling::unknown;
+  static const std::vector<std::string> ofPlans = wordsOf(planWords);
+  const bool ofPlan = target && std::find(ofPlans.begin(), ofPlans.end(), word) != ofPlans.end();
+  return ofPlan || known.has(word) ? Telling::something : Telling::unknown;
 }
 
 /// Returns what the piece of a name tells: the most of its words.
-Telling tellingOfPiece(std::string_view piece) {
+Telling tellingOfPiece(std::string_view piece, bool target) {
   Telling most = Telling::nothing;
   for (const std::string& word : wordsOf(piece))
-    most = std::max(most, tellingOf(word));
+    most = std::max(most, tellingOf(word, target));
   return most;
 }
 
@@ -146,6 +187,8 @@ std::string shownName(std::string_view name) {
   bool whole = true;
   bool something = false;
   int numbers = 0;
+  const bool target = namesTarget(wordsOf(name));
+  std::size_t endOfLast = 0;  ///< of the last piece that is shown
   for (std::size_t at = 0; at < name.size();) {
     const auto isOfWord = [](char c) { return isLetter(c) || isDigit(c); };
     const auto begin = std::find_if(name.begin() + std::ptrdiff_t(at), name.end(), isOfWord);
@@ -157,13 +200,20 @@ std::string shownName(std::string_view name) {
     // Several numbers may be a date of birth.
     const bool number = std::all_of(piece.begin(), piece.end(), isDigit);
     numbers += number ? 1 : 0;
-    const Telling telling = number && numbers > 1 ? Telling::unknown : tellingOfPiece(piece);
+    const Telling telling = target && number && isDose(piece) ? Telling::something
+                            : number && numbers > 1           ? Telling::unknown
+                                                              : tellingOfPiece(piece, target);
     if (telling == Telling::unknown) {
       whole = false;
       continue;
     }
     something = something || telling == Telling::something;
-    shown += (shown.empty() ? "" : " ") + std::string(piece);
+    // In "Liver-GTV" the dash says that the one is without the other.
+    const std::string_view between =
+        name.substr(endOfLast, std::size_t(begin - name.begin()) - endOfLast);
+    shown += shown.empty() ? "" : between == "-" || between == "+" ? between : " ";
+    shown += piece;
+    endOfLast = at;
   }
   if (whole)
     return shown.empty() ? shown : std::string(name);

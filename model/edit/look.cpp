@@ -104,11 +104,19 @@ GammaMap heldWithin(GammaMap map, Gamma own, Gamma most) {
   return map;
 }
 
+/// Returns the largest Γ that the style has anywhere on its surface.
+float mostGamma(const ResolvedStyle& style) {
+  float most = style.gamma.value();
+  if (style.gammaMap.scalar != GammaScalar::none)
+    for (const auto& stop : style.gammaMap.curve)
+      most = std::max(most, style.gamma.value() + stop.offset);
+  return most;
+}
+
 }  // namespace
 
 Edited withInkAlone(const Scene& scene) {
   const Gamma hatched = Gamma::clamped(3.0f);
-  constexpr float solid = 4.5f;  // from there on shading hides more than half
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
     node.style.inkColour = Colour{0, 0, 0};
@@ -127,18 +135,25 @@ Edited withInkAlone(const Scene& scene) {
     }
     if (style.gammaMap.scalar != GammaScalar::none)
       node.style.gammaMap = heldWithin(style.gammaMap, std::min(style.gamma, hatched), hatched);
-    // Half of a fill would be a tone again. What one sees through in colour does not hide in ink.
-    const bool veil = style.fill == Fill::veil && style.gamma.value() < solid;
+    // Half of a fill would be a tone again: what lets things show through hides nothing.
     if (shaded || style.fill != Fill::none) {
-      node.style.fill = style.opacity.value() >= 0.5f && !veil ? Fill::paper : Fill::none;
+      constexpr float halfway = 3.5f;  // from hatching to shading, METHOD §7
+      const bool hides = style.opacity.value() >= 0.5f &&
+                         (mostGamma(style) >= halfway || style.fill == Fill::paper);
+      node.style.fill = hides ? Fill::paper : Fill::none;
       node.style.opacity = Opacity::clamped(1.0f);
     }
   }
   std::vector<Section> sections = scene.sections();
   for (Section& section : sections)
     section.hatched = true;
-  Edited edited{scene, nodes != scene.nodes() || sections != scene.sections()};
+  std::vector<Annotation> annotations = scene.annotations();
+  for (Annotation& annotation : annotations)
+    annotation.colour.reset();
+  Edited edited{scene, nodes != scene.nodes() || sections != scene.sections() ||
+                           annotations != scene.annotations()};
   if (edited.changed) {
+    edited.scene.setAnnotations(std::move(annotations));
     edited.scene.setNodes(std::move(nodes));
     edited.scene.setSections(std::move(sections));
   }

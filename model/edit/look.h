@@ -37,9 +37,10 @@ Style lookOf(const Scene& scene, NodeId id);
 bool hasNoLook(const Scene& scene);
 
 /// Reduces the looks to what a press without colours or tones can print: black ink alone. Γ ends at
-/// 3, where shading would begin. A shaded or washed structure hides what is behind it in the colour
-/// of the paper or, where it was rather transparent, does not hide it at all. Cut faces become
-/// white, with hatching.
+/// 3, where shading would begin. A structure that was shaded or filled hides what is behind it in
+/// the colour of the paper; where that showed through – a wash, a veil, what was rather
+/// transparent – it does not hide it at all. Cut faces become white, with hatching, and
+/// labels have no colours.
 Edited withInkAlone(const Scene& scene);
 
 }  // namespace sline::model

@@ -24,14 +24,26 @@ bool isDoubted(const Node& node) {
   return !node.isGroup() && hasOwnSides(node.provenance) && !node.provenance.evidence.isSure();
 }
 
-/// Changes the signs of x and, for a turn, of y.
+/// Tells whether its frame was taken for want of anything clear. What leaves only the side open is
+/// read in other axes than its frame names.
+bool isAssumed(const Node& node) {
+  const Provenance& from = node.provenance;
+  return !node.isGroup() && hasOwnSides(from) && !from.transform &&
+         from.evidence.sides == Evidence::assumed && from.evidence.front != Evidence::known &&
+         from.evidence.front != Evidence::conflict;
+}
+
+/// Changes the signs of x, or of y where only the front is in doubt, and of both for a turn.
 class Flip {
  public:
-  explicit Flip(SideAnswer answer)
-      : m_signs(answer == SideAnswer::right ? 1.0f : -1.0f,
-                answer == SideAnswer::turn ? -1.0f : 1.0f, 1.0f) {}
+  Flip(SideAnswer answer, bool onlyFront)
+      : m_signs(answer == SideAnswer::turn || (answer == SideAnswer::mirror && !onlyFront) ? -1.0f
+                                                                                           : 1.0f,
+                answer == SideAnswer::turn || (answer == SideAnswer::mirror && onlyFront) ? -1.0f
+                                                                                          : 1.0f,
+                1.0f) {}
 
-  bool changes() const { return m_signs.x < 0.0f; }
+  bool changes() const { return m_signs.x < 0.0f || m_signs.y < 0.0f; }
   bool mirrors() const { return m_signs.x * m_signs.y < 0.0f; }
   glm::vec3 of(const glm::vec3& p) const { return p * m_signs; }
 
@@ -107,9 +119,14 @@ class Flip {
   std::map<MeshPtr, MeshPtr> m_meshes;
 };
 
+/// Moves, and marks as settled, what an answer is about.
 class Settling {
  public:
-  Settling(const Scene& scene, SideAnswer answer) : m_scene(scene), m_flip(answer) {}
+  Settling(const Scene& scene, SideAnswer answer)
+      : m_scene(scene), m_flip(answer, isOnlyFrontDoubted(scene)) {}
+  /// Decides anew of what was assumed alone.
+  Settling(const Scene& scene, SideAnswer answer, const FrameAnew& anew)
+      : m_scene(scene), m_flip(answer, false), m_anew(&anew) {}
 
   Scene run() {
     findMoved();
@@ -131,12 +148,15 @@ class Settling {
 
  private:
   void findMoved() {
-    const bool all = !hasDoubtedSides(m_scene);
+    const bool all = !m_anew && !hasDoubtedSides(m_scene);
+    const auto isMeant = [&](const Node& node) {
+      return all ? hasOwnSides(node.provenance) : m_anew ? isAssumed(node) : isDoubted(node);
+    };
     m_whole = true;
     for (const Node& node : m_scene.nodes()) {
       if (node.isGroup())
         continue;
-      if (all ? hasOwnSides(node.provenance) : isDoubted(node))
+      if (isMeant(node))
         m_moved.insert(node.id);
       else
         m_whole = m_whole && !hasOwnSides(node.provenance);
@@ -158,20 +178,26 @@ class Settling {
         node.atoms = m_flip.of(node.atoms);
         m_flip.tell(node.provenance);
       }
-      node.provenance.evidence = settledSides;
-      node.provenance.frameReason = m_flip.mirrors()   ? mirroredFrame
-                                    : m_flip.changes() ? turnedFrame
-                                                       : confirmedFrame;
+      tell(node.provenance);
     }
     return nodes;
   }
+
+  void tell(Provenance& from) const {
+    from.evidence = evidence();
+    from.frameReason = m_anew             ? std::string_view(m_anew->reason)
+                       : m_flip.mirrors() ? mirroredFrame
+                       : m_flip.changes() ? turnedFrame
+                                          : confirmedFrame;
+  }
+  SideEvidence evidence() const { return m_anew ? m_anew->evidence : settledSides; }
 
   std::vector<Scan> scans() const {
     std::vector<Scan> scans = m_scene.scans();
     for (Scan& scan : scans)
       if (m_all || !scan.evidence.isSure()) {
         m_flip.move(scan);
-        scan.evidence = settledSides;
+        scan.evidence = evidence();
       }
     return scans;
   }
@@ -236,6 +262,7 @@ class Settling {
 
   const Scene& m_scene;
   Flip m_flip;
+  const FrameAnew* m_anew = nullptr;
   std::set<NodeId> m_moved;
   bool m_whole = false;  ///< nothing else is sure of its sides
   bool m_all = false;    ///< nothing is in doubt: everything is moved
@@ -251,10 +278,57 @@ bool hasDoubtedSides(const Scene& scene) {
                      [](const Scan& scan) { return !scan.evidence.isSure(); });
 }
 
+bool isOnlyFrontDoubted(const Scene& scene) {
+  const auto sidesDoubted = [](const SideEvidence& evidence) { return !isSure(evidence.sides); };
+  const auto& nodes = scene.nodes();
+  const auto& scans = scene.scans();
+  return hasDoubtedSides(scene) &&
+         std::none_of(nodes.begin(), nodes.end(),
+                      [&](const Node& node) {
+                        return isDoubted(node) && sidesDoubted(node.provenance.evidence);
+                      }) &&
+         std::none_of(scans.begin(), scans.end(),
+                      [&](const Scan& scan) { return sidesDoubted(scan.evidence); });
+}
+
 Edited withSidesSettled(const Scene& scene, SideAnswer answer) {
   if (answer == SideAnswer::right && !hasDoubtedSides(scene))
     return {scene, false};
   Scene after = Settling(scene, answer).run();
+  const bool changed = !(after == scene);
+  return {std::move(after), changed};
+}
+
+std::vector<const Node*> withAssumedFrame(const Scene& scene) {
+  std::vector<const Node*> assumed;
+  for (const Node& node : scene.nodes())
+    if (isAssumed(node))
+      assumed.push_back(&node);
+  const auto isOther = [&assumed](const Node* node) {
+    return node->provenance.frame != assumed.front()->provenance.frame;
+  };
+  if (std::any_of(assumed.begin(), assumed.end(), isOther))
+    assumed.clear();
+  return assumed;
+}
+
+std::optional<SideAnswer> answerBetween(std::string_view frame, std::string_view other) {
+  if (frame.size() != 3 || other.size() != 3)
+    return std::nullopt;
+  const bool left = frame[0] != other[0];
+  const bool back = frame[1] != other[1];
+  if (back)
+    return left ? std::optional(SideAnswer::turn) : std::nullopt;
+  return left ? SideAnswer::mirror : SideAnswer::right;
+}
+
+Edited withFrameAnew(const Scene& scene, const FrameAnew& anew) {
+  const std::vector<const Node*> assumed = withAssumedFrame(scene);
+  const auto answer =
+      assumed.empty() ? std::nullopt : answerBetween(assumed.front()->provenance.frame, anew.frame);
+  if (!answer)
+    return {scene, false};
+  Scene after = Settling(scene, *answer, anew).run();
   const bool changed = !(after == scene);
   return {std::move(after), changed};
 }

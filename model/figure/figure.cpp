@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/figure/figure.h"
 
+#include <algorithm>
+
 #include "model/base/letters.h"
 
 namespace sline::model {
@@ -31,6 +33,21 @@ std::optional<std::size_t> panelOfLetter(const Figure& figure, std::string_view 
 
 const std::string& sceneOf(const Figure& figure, const FigurePanel& panel) {
   return panel.scene.empty() ? figure.scene : panel.scene;
+}
+
+bool usualLabels(const Figure& figure, std::size_t) {
+  return figure.labels;
+}
+
+bool usualScaleBar(const Figure& figure, std::size_t index) {
+  const auto first = std::find_if(figure.panels.begin(), figure.panels.end(),
+                                  [](const FigurePanel& each) { return !each.inset; });
+  return figure.scaleBars && (!figure.sameScale || figure.panels[index].inset ||
+                              index == std::size_t(first - figure.panels.begin()));
+}
+
+bool usualSides(const Figure& figure, std::size_t index) {
+  return figure.sides && !figure.panels[index].inset;
 }
 
 std::string panelName(const Figure& figure, std::size_t index) {

@@ -31,6 +31,7 @@ inline constexpr float leastPartMm = 1.0f;
 inline constexpr Limits<float> trackWeightLimits{0.05f, 20.0f};
 inline constexpr Limits<float> figureLetterLimits{4.0f, 48.0f};  ///< points
 inline constexpr Limits<float> figurePenLimits{0.1f, 4.0f};      ///< points
+inline constexpr Limits<float> figureLeastLimits{0.0f, 48.0f};   ///< points, of what is refused
 
 /// A width that journals print.
 struct FigureWidth {
@@ -107,6 +108,9 @@ struct Figure {
   std::vector<float> rows;                 ///< of their heights; others have weight 1
   std::string scene;
   FigureProjection projection = FigureProjection::saved;
+  /// All panels but insets have one scale, the smallest that any would have by itself, and one of
+  /// them shows it.
+  bool sameScale = false;
   PanelLetters letters = PanelLetters::lower;
   float letterPoints = 10.0f;
   float points = 7.5f;  ///< of labels; scale bars and legend have 0.8 of it
@@ -133,6 +137,13 @@ std::optional<std::size_t> panelOfLetter(const Figure& figure, std::string_view 
 
 /// Returns the panel's file of a scene, relative to the figure's.
 const std::string& sceneOf(const Figure& figure, const FigurePanel& panel);
+
+/// What a panel has that does not say whether it has labels, a scale bar, R and L: as the figure
+/// says, but where all have the same scale the first panel's bar is that of all that enlarge
+/// nothing, and insets have no sides.
+bool usualLabels(const Figure& figure, std::size_t index);
+bool usualScaleBar(const Figure& figure, std::size_t index);
+bool usualSides(const Figure& figure, std::size_t index);
 
 /// Returns how errors name the panel: "panel b", or "panel 3" where it has no letter.
 std::string panelName(const Figure& figure, std::size_t index);

@@ -16,7 +16,7 @@ namespace {
 constexpr JsonLimits figureLimits{
     .bytes = std::size_t(1) << 20, .values = 20'000, .keysOfObject = 200, .depth = 8};
 
-constexpr const char* remedy = "`sline compose --help` lists the keys and what they take";
+constexpr const char* remedy = "Change it in the figure's file";
 
 }  // namespace
 
@@ -77,7 +77,7 @@ Result<std::filesystem::path> scenePath(const std::filesystem::path& figureFile,
   Error error{.file = figureFile.string(), .where = "scene \"" + scene + "\""};
   if (!isSceneFile(named)) {
     error.reason = "it is no scene file";
-    error.remedy = "Make one with `sline import`, and name it with its ending .sline";
+    error.remedy = "Save it as a scene file, and name it with its ending .sline";
     return error;
   }
   if (!staysBelow(named) || !liesBelow(folder / named, folder.empty() ? "." : folder)) {

@@ -163,8 +163,6 @@ constexpr auto readSpan = [](const JsonValue& value, auto& owner) {
   owner.*field = int(value.whole(1, std::int64_t(mostTracks)));
 };
 
-constexpr Limits<float> noLimit{0.0f, 48.0f};  // of what the checks refuse
-
 void readFormat(const JsonValue& value, Figure&) {
   if (value.whole(1, 1'000'000) != figureFormat)
     value.fail("this program reads figures of format 1");
@@ -220,6 +218,10 @@ constexpr FigureRow<Figure> sightTable[] = {
      "is true everywhere",
      readChoice<&Figure::projection, figureProjectionNames>,
      writeChoice<&Figure::projection, figureProjectionNames>},
+    {"same_scale", "true|false",
+     "All panels at one scale, so that sizes compare: the smallest that any would have by itself, "
+     "said by one scale bar; insets keep how much they enlarge",
+     readFlag<&Figure::sameScale>, writeValue<&Figure::sameScale>},
     {"letters", "lower|upper|none",
      "The panels' letters: a, b, c or A, B, C, bold at the upper left",
      readChoice<&Figure::letters, panelLetterNames>,
@@ -248,10 +250,10 @@ constexpr FigureRow<Figure> printTable[] = {
      readNumber<&Figure::penPoints, figurePenLimits>, writeNumber<&Figure::penPoints>},
     {"black_and_white", "true|false", "Ink alone, without tones and colours",
      readFlag<&Figure::blackAndWhite>, writeValue<&Figure::blackAndWhite>},
-    {"least_points", "PT", "Smaller letters are refused", readNumber<&Figure::leastPoints, noLimit>,
-     writeNumber<&Figure::leastPoints>},
-    {"least_line", "PT", "The thinnest line that prints", readNumber<&Figure::leastLine, noLimit>,
-     writeNumber<&Figure::leastLine>},
+    {"least_points", "PT", "Smaller letters are refused",
+     readNumber<&Figure::leastPoints, figureLeastLimits>, writeNumber<&Figure::leastPoints>},
+    {"least_line", "PT", "The thinnest line that prints",
+     readNumber<&Figure::leastLine, figureLeastLimits>, writeNumber<&Figure::leastLine>},
     {"thin_lines", "raised|refused|kept",
      "What becomes of thinner ones: they are drawn that wide, the figure is refused, or they stay. "
      "Hatching and patterns of cut tissue fade by getting thinner and stay as they are",

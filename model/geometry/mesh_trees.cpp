@@ -69,10 +69,17 @@ const Bvh& MeshTrees::of(const MeshPtr& mesh) {
   return *tree;
 }
 
+bool MeshTrees::solid(const MeshPtr& mesh) {
+  const auto known = m_solid.find(mesh);
+  return known != m_solid.end() ? known->second
+                                : m_solid.emplace(mesh, isSolid(*mesh)).first->second;
+}
+
 void MeshTrees::keepOnly(const std::set<MeshPtr>& meshes) {
   const auto isOther = [&](const auto& entry) { return !meshes.contains(entry.first); };
   std::erase_if(m_trees, isOther);
   std::erase_if(m_surfaces, isOther);
+  std::erase_if(m_solid, isOther);
 }
 
 }  // namespace sline::model

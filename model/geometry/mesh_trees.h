@@ -28,13 +28,16 @@ class MeshTrees {
   const Bvh& of(const MeshPtr& mesh);
   /// Returns the place for the mesh's surface, which is null until a caller has made it.
   SurfacePtr& surfaceOf(const MeshPtr& mesh) { return m_surfaces[mesh]; }
+  /// Tells whether cutting the mesh makes faces (`Surface::solid`).
+  bool solid(const MeshPtr& mesh);
   bool has(const MeshPtr& mesh) const { return m_trees.contains(mesh); }
-  /// Lets go of the trees and surfaces of all other meshes.
+  /// Forgets all other meshes.
   void keepOnly(const std::set<MeshPtr>& meshes);
 
  private:
   std::map<MeshPtr, BvhPtr> m_trees;
   std::map<MeshPtr, SurfacePtr> m_surfaces;
+  std::map<MeshPtr, bool> m_solid;
 };
 
 }  // namespace sline::model

@@ -177,6 +177,32 @@ std::vector<glm::vec3> keptPoints(const Mesh& mesh, std::span<const Plane> plane
   return points;
 }
 
+double sectionArea(const Mesh& mesh, const Plane& plane) {
+  const auto positions = mesh.positions();
+  const glm::dvec3 normal(plane.normal);
+  const glm::dvec3 origin = double(plane.offset) * normal;
+  double twice = 0.0;
+  for (const Triangle& t : mesh.triangles()) {
+    const std::array<double, 3> off{plane.distance(positions[t[0]]),
+                                    plane.distance(positions[t[1]]),
+                                    plane.distance(positions[t[2]])};
+    const std::array<bool, 3> kept{off[0] <= 0.0, off[1] <= 0.0, off[2] <= 0.0};
+    if (kept[0] == kept[1] && kept[1] == kept[2])
+      continue;
+    const std::size_t odd = kept[1] == kept[2] ? 0 : kept[0] == kept[2] ? 1 : 2;
+    const glm::dvec3 corner = glm::dvec3(positions[t[odd]]) - origin;
+    const auto crossing = [&](std::size_t other) {
+      const double share = off[odd] / (off[odd] - off[other]);
+      return glm::mix(corner, glm::dvec3(positions[t[other]]) - origin, share);
+    };
+    const glm::dvec3 a = crossing((odd + 1) % 3);
+    const glm::dvec3 b = crossing((odd + 2) % 3);
+    // Both kinds of triangle, with one corner kept or two, turn the line the same way round.
+    twice += (kept[odd] ? 1.0 : -1.0) * glm::dot(normal, glm::cross(a, b));
+  }
+  return 0.5 * std::abs(twice);
+}
+
 PlaneSection planeSection(const Surface& surface, const Plane& plane) {
   const std::vector<Cluster>& clusters = surface.clusters.items;
   std::vector<std::vector<CutSegment>> parts((clusters.size() + clustersPerTask - 1) /

@@ -31,6 +31,10 @@ struct PlaneSection {
 /// nearest end.
 PlaneSection planeSection(const Surface& surface, const Plane& plane);
 
+/// Returns the area of a closed mesh's section, mm², without its line or face: cavities count as
+/// holes. Of an open mesh it is no more than a guess.
+double sectionArea(const Mesh& mesh, const Plane& plane);
+
 /// Returns all vertices that the planes keep, and the points where edges cross a plane and the
 /// other planes keep them: the points of the mesh that a camera must show. Without planes it
 /// returns all vertices.

@@ -83,6 +83,15 @@ SurfacePtr surfaceOf(MeshPtr mesh, const Vertices& vertices) {
 }
 }  // namespace
 
+bool isSolid(const Mesh& mesh) {
+  if (mesh.triangleCount() == 0)
+    return false;
+  const VertexFaces faces(mesh);
+  return countEdges(mesh, faces).closed() ||
+         float(rimLength(mesh, faces)) <=
+             longestRim * smallestBoundingSphere(mesh.positions()).radius;
+}
+
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
   const Mesh& own = *mesh;
   return surfaceOf(std::move(mesh), [&] { return verticesAt(own.positions(), own, options); });

@@ -36,6 +36,9 @@ struct Surface {
 };
 using SurfacePtr = std::shared_ptr<const Surface>;
 
+/// Tells whether the mesh's surface is `Surface::solid`, without making it.
+bool isSolid(const Mesh& mesh);
+
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options = {});
 
 /// A mesh, and some of its vertices: those of a coarser one that stands for it.

@@ -128,6 +128,7 @@ class ScenePacker {
     scene.setAnnotations(annotations(left));
     scene.setViews(views(scene));
     scene.setScans({});
+    scene.setTraces({});
     scene.setUnread({});
     return scene;
   }

@@ -2,6 +2,8 @@
 #include "model/scene/framing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
 
 #include "model/scene/camera_moves.h"
 
@@ -27,7 +29,19 @@ Camera withSides(const Camera& saved, float aspect, const FreeSides& sides) {
   // The camera stays opposite the anatomy's middle, so both sides give as much as one needs.
   const double share = 1.0 - 2.0 * std::max(sides.left, sides.right);
   const double narrow = double(aspect) / savedAspect * std::max(share, 0.1) / savedShare;
-  return zoomed(saved, saved.target, float(std::min(1.0, narrow)));
+  if (!(narrow < 1.0))
+    return saved;
+  // The eye stays where it was, so that nothing comes out from behind another: the picture is the
+  // same, with more around it.
+  constexpr double widest = 75.0;  // degrees; beyond that things at the edges look stretched
+  const double slope = std::tan(glm::radians(0.5 * double(saved.fovyDegrees)));
+  const double most = std::max(slope, std::tan(glm::radians(0.5 * widest)));
+  const double opened = std::min(slope / narrow, most);
+  Camera wider = saved;
+  if (saved.projection == Projection::orthographic)
+    return zoomed(saved, saved.target, float(narrow));
+  wider.fovyDegrees = float(2.0 * glm::degrees(std::atan(opened)));
+  return zoomed(wider, saved.target, float(std::min(1.0, narrow * opened / slope)));
 }
 
 }  // namespace sline::model

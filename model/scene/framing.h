@@ -14,8 +14,8 @@ namespace sline::model {
 Box visibleBounds(const Scene& scene, std::span<const NodeId> ids);
 /// Returns the scene's own view from which it is first seen, if there is one.
 std::optional<Camera> savedOverview(const Scene& scene);
-/// Returns the camera of a view saved for pictures of 4:3, moved back where the sides leave less
-/// width to the anatomy than it has there.
+/// Returns the camera of a view saved for pictures of 4:3, opened (up to 75°, and moved back
+/// beyond that) where the sides leave less width to the anatomy than it has there.
 Camera withSides(const Camera& saved, float aspect, const FreeSides& sides);
 
 }  // namespace sline::model

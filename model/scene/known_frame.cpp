@@ -67,7 +67,7 @@ DrawnUnit drawnUnit(const Scene& scene) {
                         (!from.file.empty() || (!from.frame.empty() && from.frame != fileFrame)));
     return !doubted;
   });
-  if (doubted)
+  if (doubted || (molecules && others))
     return DrawnUnit::doubtedMillimetre;
   return molecules && !others ? DrawnUnit::angstrom : DrawnUnit::millimetre;
 }

@@ -29,7 +29,7 @@ bool isUnitDoubted(const Provenance& from);
 std::string_view symbolOf(DrawnUnit unit);
 
 /// Returns the unit of lengths in the scene: ångströms where all that is visible and comes from
-/// files is of molecules, doubted where that of anything visible is.
+/// files is of molecules, doubted where that of anything visible is or molecules lie beside others.
 DrawnUnit drawnUnit(const Scene& scene);
 
 /// Tells whether anything visible comes from files of known directions, or nothing is visible.

@@ -27,6 +27,7 @@
 #include "model/scene/node_id.h"
 #include "model/scene/scan.h"
 #include "model/scene/section.h"
+#include "model/scene/source_trace.h"
 #include "model/scene/style.h"
 #include "model/scene/wording.h"
 
@@ -186,6 +187,9 @@ class Scene {
   /// Returns the scans kept with the scene; each is without fault.
   const std::vector<Scan>& scans() const { return m_scans; }
   void setScans(std::vector<Scan> scans);
+  /// Returns what tells whether further files are of the same patient.
+  const std::vector<SourceTrace>& traces() const { return m_traces; }
+  void setTraces(std::vector<SourceTrace> traces) { m_traces = std::move(traces); }
   /// Returns the unread keys of the file as a whole, like Node::unread.
   const std::string& unread() const { return m_unread; }
   void setUnread(std::string unread) { m_unread = std::move(unread); }
@@ -210,6 +214,7 @@ class Scene {
   std::optional<KeyLight> m_keyLight;
   Focus m_focus;
   std::vector<Scan> m_scans;
+  std::vector<SourceTrace> m_traces;
   std::string m_unread;
   std::uint64_t m_lastId = 0;
   std::uint64_t m_lastSectionId = 0;

@@ -338,6 +338,22 @@ void mendViews(Scene& scene, Mender& mender) {
     scene.setViews(std::move(views));
 }
 
+void mendTraces(Scene& scene, Mender& mender) {
+  std::vector<SourceTrace> traces = scene.traces();
+  std::erase_if(traces, [&mender](const SourceTrace& trace) {
+    if (const auto fault = traceFault(trace))
+      mender.tell(*fault, leftOut);
+    return traceFault(trace).has_value();
+  });
+  if (traces.size() > mostSourceTraces) {
+    mender.tell(numbered("it came from more than ", mostSourceTraces, " studies"),
+                "the rest was left out");
+    traces.resize(mostSourceTraces);
+  }
+  if (traces != scene.traces())
+    scene.setTraces(std::move(traces));
+}
+
 /// Returns what there are too many of.
 Status checkCounts(const Scene& scene) {
   for (const auto& [what, count, most] :
@@ -390,6 +406,8 @@ Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
     scene.setKeyLight(std::nullopt);
   }
   mendScans(scene, mender);
+  mender.atAll();
+  mendTraces(scene, mender);
   return Unit{};
 }
 

@@ -114,7 +114,7 @@ Status BulkStore::write(std::chrono::milliseconds atMost) {
 Bulk bulkFrom(std::string_view bytes) {
   Bulk bulk;
   RecordReader records(bytes);
-  while (auto payload = records.next()) {
+  while (auto payload = records.nextWhole()) {
     const char kind = payload->front();
     payload->remove_prefix(1);
     const auto length = takeNumber(*payload);

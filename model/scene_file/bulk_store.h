@@ -56,7 +56,7 @@ class BulkStore {
   std::deque<std::pair<std::string, BulkItem>> m_wanted;
 };
 
-/// Returns the items of a file, as many as are whole; nothing in it is trusted.
+/// Returns the items of a file that are whole; nothing in it is trusted.
 Bulk bulkFrom(std::string_view bytes);
 /// Returns the meshes, paints and voxels of a scene.
 Bulk bulkOf(const Scene& scene);

@@ -2,6 +2,7 @@
 #include "model/scene_file/journal.h"
 
 #include <algorithm>
+#include <set>
 
 #include "model/base/letters.h"
 #include "model/disk/cache_folder.h"
@@ -119,6 +120,67 @@ Bulk bulkFor(const fs::path& journal, const JournalContent& content) {
     bulk.merge(bulkOf(saved->scene));
   return bulk;
 }
+
+/// Makes scenes of a journal's states.
+class StateReader {
+ public:
+  /// What of a state's meshes, paints and voxels must be there for it to count.
+  enum class Parts { all, some };
+  StateReader(const JournalContent& content, Bulk bulk)
+      : m_content(content), m_bulk(std::move(bulk)) {}
+
+  /// Reads the newest state at which the document stood, then back and forth from it as far as it
+  /// goes. Returns false where there is none.
+  bool read(Parts wanted, Recovered& back) {
+    std::size_t at = m_content.current - m_content.first;
+    std::optional<Scene> scene = sceneAt(at, wanted, back);
+    while (!scene && at > 0)
+      scene = sceneAt(--at, wanted, back);
+    if (!scene)
+      return false;
+    add(at, std::move(*scene), back);
+    for (std::size_t i = at; i > 0 && back.current < mostStepsBack; ++back.current) {
+      std::optional<Scene> before = sceneAt(--i, wanted, back);
+      if (!before)
+        break;
+      add(i, std::move(*before), back);
+    }
+    std::reverse(back.states.begin(), back.states.end());
+    for (std::size_t i = at + 1; i < m_content.states.size(); ++i) {
+      std::optional<Scene> after = sceneAt(i, wanted, back);
+      if (!after)
+        break;
+      add(i, std::move(*after), back);
+    }
+    return true;
+  }
+
+ private:
+  void add(std::size_t i, Scene scene, Recovered& back) {
+    back.states.push_back({m_content.states[i].name, std::move(scene)});
+  }
+
+  std::optional<Scene> sceneAt(std::size_t i, Parts wanted, Recovered& back) {
+    const std::string& text = *m_content.states[i].text;
+    const std::vector<std::string> keys = keysCalledFor(text);
+    const auto there = std::size_t(std::count_if(
+        keys.begin(), keys.end(), [this](const std::string& key) { return m_bulk.contains(key); }));
+    if (there < keys.size() && (wanted == Parts::all || there == 0))
+      return std::nullopt;
+    std::vector<JsonRefusal> leftOut;
+    Result<Scene> scene = sceneOfState(text, m_bulk, leftOut);
+    if (!scene.ok())
+      return std::nullopt;
+    for (const JsonRefusal& each : leftOut)
+      if (m_told.size() < mostToldFaults && m_told.insert(each.text()).second)
+        back.leftOut.push_back(each.text());
+    return std::move(*scene);
+  }
+
+  const JournalContent& m_content;
+  Bulk m_bulk;
+  std::set<std::string> m_told;  ///< what is wrong in one state is mostly so in the next
+};
 }  // namespace
 
 fs::path userJournalFolder() {
@@ -272,38 +334,16 @@ Result<Recovered> recovered(const Recoverable& found) {
   if (!bytes.ok())
     return bytes.error();
   JournalContent content = journalContent(*bytes);
-  Error damaged{.file = found.journal.string(),
-                .reason = "it was damaged, and holds no state of the scene that is whole",
-                .remedy = "Open the scene file as it was saved last"};
-  if (content.states.empty())
-    return damaged;
-  const Bulk bulk = bulkFor(found.journal, content);
   Recovered back;
-  // From the newest state whose meshes are there, back and then forth as far as it goes.
-  std::size_t at = content.current - content.first;
-  std::optional<Result<Scene>> scene;
-  for (;; --at) {
-    scene = sceneOfState(*content.states[at].text, bulk);
-    if (scene->ok() || at == 0)
-      break;
-    damaged.reason += ": " + scene->error().reason;
+  if (!content.states.empty()) {
+    StateReader reader(content, bulkFor(found.journal, content));
+    if (!reader.read(StateReader::Parts::all, back))
+      reader.read(StateReader::Parts::some, back);
   }
-  if (!scene->ok())
-    return damaged;
-  back.states.push_back({content.states[at].name, std::move(**scene)});
-  for (std::size_t i = at; i-- > 0 && back.current < mostStepsBack; ++back.current) {
-    Result<Scene> before = sceneOfState(*content.states[i].text, bulk);
-    if (!before.ok())
-      break;
-    back.states.push_back({content.states[i].name, std::move(*before)});
-  }
-  std::reverse(back.states.begin(), back.states.end());
-  for (std::size_t i = at + 1; i < content.states.size(); ++i) {
-    Result<Scene> after = sceneOfState(*content.states[i].text, bulk);
-    if (!after.ok())
-      break;
-    back.states.push_back({content.states[i].name, std::move(*after)});
-  }
+  if (back.states.empty())
+    return Error{.file = found.journal.string(),
+                 .reason = "it was damaged, and holds no state of the scene that is whole",
+                 .remedy = "Open the scene file as it was saved last"};
   back.rest = restOf(std::move(content.members));
   back.selection = std::move(content.selection);
   return back;

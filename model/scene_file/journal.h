@@ -97,12 +97,15 @@ struct Recovered {
   std::size_t current = 0;
   SceneDocument rest;  ///< all but the scene
   std::vector<NodeId> selection;
+  /// What of the states is at fault and therefore not in them, a line each with its place.
+  std::vector<std::string> leftOut;
 };
 
 /// Returns the journals that can be recovered, the newest first.
 std::vector<Recoverable> recoverableIn(const std::filesystem::path& folder);
 /// Returns what the journal has, to its last whole record. Meshes that it had no time to write are
-/// taken from the document's scene file.
+/// taken from the document's scene file; where some are in neither, the newest state that has all
+/// of its own is the current one. If none has, what is there of the newest comes back.
 Result<Recovered> recovered(const Recoverable& found);
 /// Removes the journal, unless a program has taken it meanwhile, and with it those of programs that
 /// were killed before they had taken it over.

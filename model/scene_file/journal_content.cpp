@@ -33,13 +33,15 @@ class ContentReader {
     payload.remove_prefix(1);
     switch (kind) {
       case sourceKind:
-        return takeSource(payload);
+        takeSource(payload);
+        return true;
       case memberKind:
         return takeMember(payload);
       case stateKind:
         return takeState(payload);
       case selectionKind:
-        return takeSelection(payload);
+        takeSelection(payload);
+        return true;
       default:
         return true;  // of a newer program
     }
@@ -47,24 +49,32 @@ class ContentReader {
   JournalContent content() && { return std::move(m_content); }
 
  private:
-  bool takeSource(std::string_view text) {
+  /// Takes what can be read of it; what follows makes sense without the rest.
+  void takeSource(std::string_view text) {
     const Result<Json> json = parseJson(text);
     if (!json.ok())
-      return false;
+      return;
+    std::vector<JsonRefusal> unread;
     JsonFault fault;
+    fault.all = &unread;
     const JsonValue value(*json, fault);
     JsonObject object(value);
     JournalSource source;
-    source.title = object.need("title").text();
-    source.file = object.need("file").text();
+    readInto(object.take("title"), source.title, asText);
+    readInto(object.take("file"), source.file, asText);
+    Fingerprint saved;
     const auto bytes = object.take("bytes");
     const auto crc = object.take("crc");
-    if (bytes && crc)
-      source.saved = {std::uint64_t(bytes->whole(0, std::numeric_limits<std::int64_t>::max())),
-                      std::uint32_t(crc->whole(0, std::numeric_limits<std::uint32_t>::max()))};
-    if (!fault.any())
-      m_content.source = source;
-    return !fault.any();
+    const FaultWatch watch(fault);
+    readInto(bytes, saved.bytes, [](const JsonValue& number) {
+      return std::uint64_t(number.whole(0, std::numeric_limits<std::int64_t>::max()));
+    });
+    readInto(crc, saved.crc, [](const JsonValue& number) {
+      return std::uint32_t(number.whole(0, std::numeric_limits<std::uint32_t>::max()));
+    });
+    if (bytes && crc && watch.clean())
+      source.saved = saved;
+    m_content.source = source;
   }
 
   bool takeMember(std::string_view bytes) {
@@ -75,18 +85,18 @@ class ContentReader {
     return name.has_value();
   }
 
-  bool takeSelection(std::string_view text) {
+  void takeSelection(std::string_view text) {
     const Result<Json> json = parseJson(text);
     if (!json.ok())
-      return false;
+      return;
+    std::vector<JsonRefusal> unread;
     JsonFault fault;
-    std::vector<NodeId> ids;
-    JsonValue(*json, fault).forEach([&ids](const JsonValue& id) {
-      ids.push_back(NodeId{idOf(id)});
+    fault.all = &unread;
+    m_content.selection.clear();
+    JsonValue(*json, fault).forEach([this](const JsonValue& value) {
+      if (const auto id = sound(value, idOf))
+        m_content.selection.push_back(NodeId{*id});
     });
-    if (!fault.any())
-      m_content.selection = std::move(ids);
-    return !fault.any();
   }
 
   bool takeState(std::string_view bytes) {
@@ -252,7 +262,8 @@ std::string stateText(const Scene& scene, BulkKeys& keys) {
   return text + sceneJson(scene);
 }
 
-Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk) {
+Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk,
+                           std::vector<JsonRefusal>& leftOut) {
   const auto [lines, json] = partsOf(text);
   Result<Json> root = parseJson(json, sceneJsonLimits);
   if (!root.ok())
@@ -269,7 +280,7 @@ Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk) {
     else
       parts.voxels[std::string(name)] = std::get<VoxelsPtr>(item->second);
   });
-  return sceneFromJson(*root, parts);
+  return sceneFromJson(*root, parts, leftOut);
 }
 
 std::vector<std::string> keysCalledFor(std::string_view text) {

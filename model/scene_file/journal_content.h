@@ -16,6 +16,7 @@
 #include "model/disk/zip_archive.h"
 #include "model/scene/scene.h"
 #include "model/scene_file/bulk_store.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::model {
 
@@ -76,8 +77,10 @@ std::size_t dropFarStates(JournalContent& content, std::size_t bytes);
 
 /// Returns the text of a scene's state.
 std::string stateText(const Scene& scene, BulkKeys& keys);
-/// Returns the scene of a state; an error if a mesh of it is not there.
-Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk);
+/// Returns the scene of a state. What of it is at fault or not in the bulk is left out and told, as
+/// `sceneFromJson` does; an error where it is no scene at all.
+Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk,
+                           std::vector<JsonRefusal>& leftOut);
 /// Returns the keys that a state's text names.
 std::vector<std::string> keysCalledFor(std::string_view text);
 

@@ -19,15 +19,32 @@ RecordReader::RecordReader(std::string_view bytes) {
     m_rest = bytes.substr(journalMagic.size());
 }
 
-std::optional<std::string_view> RecordReader::next() {
+std::optional<std::string_view> RecordReader::take(bool& whole) {
   const auto length = takeNumber(m_rest);
   const auto crc = takeNumber(m_rest);
   // A power cut may leave zeros at the end; the checksum of nothing is zero too.
   const auto payload = length && crc && *length > 0 ? takeBytes(m_rest, *length) : std::nullopt;
-  if (payload && fingerprintOf(*payload).crc == *crc)
+  whole = payload && fingerprintOf(*payload).crc == *crc;
+  if (!payload)
+    m_rest = {};
+  return payload;
+}
+
+std::optional<std::string_view> RecordReader::next() {
+  bool whole = false;
+  const auto payload = take(whole);
+  if (whole)
     return payload;
   m_rest = {};
   return std::nullopt;
+}
+
+std::optional<std::string_view> RecordReader::nextWhole() {
+  bool whole = false;
+  auto payload = take(whole);
+  while (payload && !whole)
+    payload = take(whole);
+  return payload;
 }
 
 void appendNumber(std::string& bytes, std::uint32_t number) {

@@ -24,8 +24,13 @@ class RecordReader {
   explicit RecordReader(std::string_view bytes);
   /// Returns the next payload; absent at the end, and at the first record that is torn or damaged.
   std::optional<std::string_view> next();
+  /// Does the same but passes over records that are damaged, where what follows makes sense without
+  /// them.
+  std::optional<std::string_view> nextWhole();
 
  private:
+  /// Takes a record; `whole` becomes false where it is not as it was written.
+  std::optional<std::string_view> take(bool& whole);
   std::string_view m_rest;
 };
 

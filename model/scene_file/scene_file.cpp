@@ -8,6 +8,7 @@
 #include "model/disk/memory_budget.h"
 #include "model/disk/whole_file.h"
 #include "model/scene/scene_limits.h"
+#include "model/scene_file/fingerprint.h"
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/paint_codec.h"
 #include "model/scene_file/scan_codec.h"
@@ -44,88 +45,67 @@ Result<Json> sceneJsonOf(const ZipReader& zip) {
   return root.ok() ? std::move(root) : placed(root.error(), sceneMember);
 }
 
-Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
-  MeshesByName meshes;
-  MemoryBudget memory;
-  for (const std::string& name : meshesCalledFor(root)) {
-    const ZipReader::Entry* entry = zip.find(name);
-    if (!entry)
-      continue;  // the reader of scene.json reports where it was referred to
-    const Result<std::string> bytes = zip.read(*entry);
-    if (!bytes.ok())
-      return bytes.error();
-    Result<Mesh> mesh = decodedMesh(*bytes);
-    if (!mesh.ok())
-      return placed(mesh.error(), name);
-    if (const Status room = memory.claim(mesh->triangleCount()); !room.ok())
-      return placed(room.error(), name);
-    meshes[name] = std::make_shared<const Mesh>(std::move(*mesh));
-  }
-  return meshes;
-}
+/// Reads the members to which scene.json refers. Of those that are damaged it keeps why.
+class PartsReader {
+ public:
+  explicit PartsReader(const ZipReader& zip) : m_zip(zip) {}
 
-Result<PaintsByName> paintsOf(const ZipReader& zip, const Json& root) {
-  PaintsByName paints;
-  for (const std::string& name : paintsCalledFor(root)) {
-    const ZipReader::Entry* entry = zip.find(name);
-    if (!entry)
-      continue;
-    const Result<std::string> bytes = zip.read(*entry);
-    if (!bytes.ok())
-      return bytes.error();
-    Result<Paint> paint = decodedPaint(*bytes);
-    if (!paint.ok())
-      return placed(paint.error(), name);
-    paints[name] = std::make_shared<const Paint>(std::move(*paint));
+  /// An error only where the meshes would fill the memory.
+  Status take(const Json& root) {
+    for (const std::string& name : meshesCalledFor(root))
+      if (take(name, m_parts.meshes, decodedMesh))
+        if (const Status room = m_memory.claim(m_parts.meshes[name]->triangleCount()); !room.ok())
+          return placed(room.error(), name);
+    for (const std::string& name : paintsCalledFor(root))
+      take(name, m_parts.paints, decodedPaint);
+    for (const std::string& name : voxelsCalledFor(root))
+      take(name, m_parts.voxels, decodedVoxels);
+    return Unit{};
   }
-  return paints;
-}
+  SceneParts parts() && { return std::move(m_parts); }
 
-Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
-  VoxelsByName voxels;
-  for (const std::string& name : voxelsCalledFor(root)) {
-    const ZipReader::Entry* entry = zip.find(name);
-    if (!entry || voxels.contains(name))
-      continue;
-    const Result<std::string> bytes = zip.read(*entry);
-    if (!bytes.ok())
-      return bytes.error();
-    Result<std::vector<std::int16_t>> decoded = decodedVoxels(*bytes);
-    if (!decoded.ok())
-      return placed(decoded.error(), name);
-    voxels[name] = std::make_shared<const std::vector<std::int16_t>>(std::move(*decoded));
+ private:
+  /// Tells whether the part is there now and was not before. Where there is no such member the
+  /// reader of scene.json reports where it was referred to.
+  template <class Parts, class Decode>
+  bool take(const std::string& name, Parts& parts, const Decode& decode) {
+    const ZipReader::Entry* entry = m_zip.find(name);
+    if (!entry || parts.contains(name))
+      return false;
+    const Result<std::string> bytes = m_zip.read(*entry);
+    if (!bytes.ok()) {
+      m_parts.damaged[name] = bytes.error().reason;
+      return false;
+    }
+    auto decoded = decode(*bytes);
+    if (!decoded.ok()) {
+      m_parts.damaged[name] = decoded.error().reason;
+      return false;
+    }
+    using Part = typename Parts::mapped_type::element_type;
+    parts[name] = std::make_shared<Part>(std::move(*decoded));
+    return true;
   }
-  return voxels;
-}
 
-Result<SceneParts> partsOf(const ZipReader& zip, const Json& root) {
-  Result<MeshesByName> meshes = meshesOf(zip, root);
-  if (!meshes.ok())
-    return meshes.error();
-  Result<PaintsByName> paints = paintsOf(zip, root);
-  if (!paints.ok())
-    return paints.error();
-  Result<VoxelsByName> voxels = voxelsOf(zip, root);
-  if (!voxels.ok())
-    return voxels.error();
-  return SceneParts{std::move(*meshes), std::move(*paints), std::move(*voxels)};
-}
+  const ZipReader& m_zip;
+  MemoryBudget m_memory;
+  SceneParts m_parts;
+};
 
 /// Takes the thumbnail and all members to which the scene does not refer.
-Status takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& known,
-                SceneDocument& document) {
+void takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& known,
+              SceneDocument& document) {
   for (const ZipReader::Entry& entry : zip.entries()) {
     if (entry.name == sceneMember || known.contains(entry.name))
       continue;
     Result<std::string> bytes = zip.read(entry);
-    if (!bytes.ok())
-      return bytes.error();
-    if (entry.name == thumbnailMember)
+    if (!bytes.ok() && document.leftOut.size() < mostToldFaults)
+      document.leftOut.push_back(entry.name + ": " + bytes.error().reason);
+    else if (bytes.ok() && entry.name == thumbnailMember)
       document.thumbnail = std::move(*bytes);
-    else
+    else if (bytes.ok())
       document.others.push_back({entry.name, std::move(*bytes)});
   }
-  return Unit{};
 }
 
 Result<SceneDocument> documentFrom(const ZipReader& zip) {
@@ -137,34 +117,44 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
     return placed(schema.error(), sceneMember);
   if (const Status migrated = migrate(*root); !migrated.ok())
     return placed(migrated.error(), sceneMember);
-  const Result<SceneParts> parts = partsOf(zip, *root);
-  if (!parts.ok())
-    return parts.error();
+  PartsReader reader(zip);
+  if (const Status taken = reader.take(*root); !taken.ok())
+    return taken.error();
+  const SceneParts parts = std::move(reader).parts();
   std::vector<JsonRefusal> leftOut;
-  Result<Scene> scene = sceneFromJson(*root, *parts, leftOut);
+  Result<Scene> scene = sceneFromJson(*root, parts, leftOut);
   if (!scene.ok())
     return placed(scene.error(), sceneMember);
   SceneDocument document{.scene = std::move(*scene), .schema = *schema};
   for (const JsonRefusal& each : leftOut)
-    document.leftOut.push_back(each.where + (each.where.empty() ? "" : ": ") + each.reason);
+    document.leftOut.push_back(each.text());
   std::set<std::string, std::less<>> known;
   const auto know = [&known](const auto& named) {
     for (const auto& each : named)
       known.insert(each.first);
   };
-  know(parts->meshes);
-  know(parts->paints);
-  know(parts->voxels);
-  if (const Status taken = takeRest(zip, known, document); !taken.ok())
-    return taken.error();
+  know(parts.meshes);
+  know(parts.paints);
+  know(parts.voxels);
+  know(parts.damaged);
+  takeRest(zip, known, document);
   return document;
 }
 
-/// Refuses to overwrite a file of which this program reads a part alone; one that cannot be read at
-/// all does not count as such.
-Status mayReplace(const fs::path& file) {
+/// Tells whether the file holds just these bytes.
+bool isThere(const fs::path& file, const std::optional<Fingerprint>& bytes) {
   std::error_code unknown;
-  if (!fs::is_regular_file(file, unknown))
+  if (!bytes || fs::file_size(file, unknown) != bytes->bytes)
+    return false;
+  const Result<Fingerprint> now = fingerprintOfFile(file);
+  return now.ok() && *now == *bytes;
+}
+
+/// Refuses to overwrite a file of which this program reads a part alone; one that cannot be read at
+/// all does not count as such. One that is known to be whole is not unpacked.
+Status mayReplace(const fs::path& file, const std::optional<Fingerprint>& whole) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown) || isThere(file, whole))
     return Unit{};
   const Result<std::string> bytes = readText(file, largestFile);
   if (!bytes.ok())
@@ -315,6 +305,9 @@ Result<SceneDocument> readSceneFile(const fs::path& file) {
   if (!bytes.ok())
     return bytes.error();
   Result<SceneDocument> document = documentFromBytes(*bytes);
+  std::error_code unknown;
+  if (document.ok() && !document->isForReading() && fs::is_regular_file(file, unknown))
+    document->whole = fingerprintOf(*bytes);
   if (document.ok())
     return document;
   Error error = document.error();
@@ -323,7 +316,7 @@ Result<SceneDocument> readSceneFile(const fs::path& file) {
 }
 
 Status writeSceneFile(const FileLock& lock, const SceneDocument& document) {
-  if (Status allowed = mayReplace(lock.file()); !allowed.ok())
+  if (Status allowed = mayReplace(lock.file(), document.whole); !allowed.ok())
     return allowed;
   Result<std::string> bytes = sceneFileBytes(document);
   if (!bytes.ok()) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,9 @@ struct SceneDocument {
   int schema = 0;                 ///< of the file it came from; 0 if it came from none
   /// What of the file is at fault and therefore not in the scene, a line each with its place.
   std::vector<std::string> leftOut;
+  /// What the file held, if all that it held was read or this program wrote it: as long as it holds
+  /// the same it may be written over. Absent if that is not known.
+  std::optional<Fingerprint> whole;
 
   /// Tells whether the file was written by a newer program.
   bool isNewer() const;
@@ -41,8 +45,9 @@ struct SceneDocument {
 /// place that is at fault.
 Result<std::string> sceneFileBytes(const SceneDocument& document);
 
-/// Returns the document. The bytes are not trusted: what of the scene is at fault is left out. An
-/// error's `where` is the member and the place in it: "scene.json: byte 84".
+/// Returns the document. The bytes are not trusted: what of the scene is at fault is left out, and
+/// so is what is damaged beside it. An error's `where` is the member and the place in it:
+/// "scene.json: byte 84".
 Result<SceneDocument> documentFromBytes(std::string_view bytes);
 
 Result<SceneDocument> readSceneFile(const std::filesystem::path& file);

@@ -43,6 +43,9 @@ nlohmann::ordered_json jsonPoint(const glm::vec3& p);
 struct JsonRefusal {
   std::string where;
   std::string reason;
+
+  /// Returns it as one line.
+  std::string text() const { return where + (where.empty() ? "" : ": ") + reason; }
   bool operator==(const JsonRefusal&) const = default;
 };
 

@@ -7,7 +7,7 @@
 namespace sline::model {
 
 namespace {
-Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
+Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels, const DamagedByName& damaged) {
   JsonObject object(value);
   const FaultWatch watch(value.fault());
   Scan scan;
@@ -36,7 +36,7 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
   const JsonValue member = object.need("voxels");
   const auto found = voxels.find(member.text());
   if (found == voxels.end())
-    member.fail("there is no such member in the file");
+    member.fail(absenceOf(member.text(), damaged, "there is no such member in the file"));
   else
     scan.voxels = found->second;
   scan.unread = object.unread();
@@ -45,6 +45,12 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
   return scan;
 }
 }  // namespace
+
+std::string absenceOf(const std::string& name, const DamagedByName& damaged,
+                      std::string_view otherwise) {
+  const auto found = damaged.find(name);
+  return found == damaged.end() ? std::string(otherwise) : name + ": " + found->second;
+}
 
 std::string voxelsName(std::size_t n) {
   return "scans/" + std::to_string(n + 1) + ".scan";
@@ -80,10 +86,12 @@ std::vector<std::string> voxelsCalledFor(const Json& root) {
   return names;
 }
 
-std::vector<Scan> scansFrom(const JsonValue& list, const VoxelsByName& voxels) {
+std::vector<Scan> scansFrom(const JsonValue& list, const VoxelsByName& voxels,
+                            const DamagedByName& damaged) {
   std::vector<Scan> scans;
+  const auto read = [&](const JsonValue& each) { return scanFrom(each, voxels, damaged); };
   list.forEach([&](const JsonValue& value) {
-    if (auto scan = sound(value, [&](const JsonValue& each) { return scanFrom(each, voxels); }))
+    if (auto scan = sound(value, read))
       scans.push_back(std::move(*scan));
   });
   return scans;

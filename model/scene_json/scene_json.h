@@ -31,6 +31,7 @@ struct SceneParts {
   MeshesByName meshes;
   PaintsByName paints;
   VoxelsByName voxels;
+  DamagedByName damaged = {};
 };
 
 /// Returns the name of each mesh, after the first structure that has it: a mesh that several
@@ -57,7 +58,8 @@ std::vector<std::string> paintsCalledFor(const Json& root);
 Result<Scene> sceneFromJson(const Json& root, const SceneParts& parts);
 /// Does the same but leaves out what is at fault, the smallest thing that can be, and adds what and
 /// why; `where` begins with a name then: "\"Liver\" (nodes[3].style.gamma)". It is an error only
-/// where there is no list of nodes, or all is in another frame or unit.
+/// where there is no list of nodes, or all is in another frame or unit. A structure without its
+/// mesh stays as a group in which there is nothing.
 Result<Scene> sceneFromJson(const Json& root, const SceneParts& parts,
                             std::vector<JsonRefusal>& leftOut);
 

@@ -13,6 +13,7 @@
 #include "model/scene_json/scene_json.h"
 #include "model/scene_json/scene_json_names.h"
 #include "model/scene_json/style_json.h"
+#include "model/scene_json/trace_json.h"
 
 namespace sline::model {
 
@@ -270,6 +271,13 @@ std::string sceneJson(const Scene& scene) {
     Ordered json = scanJson(scene.scans()[n], voxelsName(n));
     addUnread(json, scene.scans()[n].unread);
     root["scans"].push_back(std::move(json));
+  }
+  if (!scene.traces().empty())
+    root["traces"] = Ordered::array();
+  for (const SourceTrace& trace : scene.traces()) {
+    Ordered json = traceJson(trace);
+    addUnread(json, trace.unread);
+    root["traces"].push_back(std::move(json));
   }
   addUnread(root, scene.unread());
   return root.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";

@@ -9,6 +9,7 @@
 #include "model/scene_json/atoms_json.h"
 #include "model/scene_json/provenance_json.h"
 #include "model/scene_json/style_json.h"
+#include "model/scene_json/trace_json.h"
 
 namespace sline::model {
 
@@ -81,7 +82,8 @@ MeshPtr SceneJsonReader::mesh(JsonObject& object) const {
   const JsonValue file = object.need("file");
   const auto found = m_parts.meshes.find(file.text());
   if (found == m_parts.meshes.end()) {
-    file.fail("the file holds no such mesh");
+    file.fail(absenceOf(file.text(), m_parts.damaged, "the file holds no such mesh") +
+              "; the structure stays as an empty row");
     return nullptr;
   }
   const MeshPtr& mesh = found->second;
@@ -99,7 +101,7 @@ PaintPtr SceneJsonReader::paint(JsonObject& object, const Mesh& mesh) const {
   const JsonValue file = object.need("file");
   const auto found = m_parts.paints.find(file.text());
   if (found == m_parts.paints.end()) {
-    file.fail("the file holds no such paint");
+    file.fail(absenceOf(file.text(), m_parts.damaged, "the file holds no such paint"));
     return nullptr;
   }
   if (found->second->size() != mesh.vertexCount()) {
@@ -127,7 +129,7 @@ void SceneJsonReader::look(JsonObject& object, Node& node) const {
   }
 }
 
-std::optional<Node> SceneJsonReader::node(const JsonValue& value) const {
+Node SceneJsonReader::node(const JsonValue& value) const {
   JsonObject object(value);
   Node node;
   readInto(object.need("id"), node.id.value, idOf);
@@ -137,9 +139,11 @@ std::optional<Node> SceneJsonReader::node(const JsonValue& value) const {
   if (const auto reference = object.take("mesh")) {
     JsonObject inner(*reference);
     node.mesh = mesh(inner);
-    object.giveBack("mesh", inner.rest());
-    if (!node.mesh)
-      return std::nullopt;
+    if (node.mesh)
+      object.giveBack("mesh", inner.rest());
+    else  // what lies on the surface and in it is gone with it
+      for (const char* part : {"paint", "atoms"})
+        object.take(part);
   }
   look(object, node);
   readInto(object.take("locked"), node.locked, asFlag);
@@ -157,13 +161,11 @@ std::vector<Node> SceneJsonReader::nodes(const JsonValue& list) const {
   std::vector<Node> nodes;
   TreeOrder order;
   list.forEach([&](const JsonValue& value) {
-    std::optional<Node> read = value.json().is_object() ? node(value) : std::nullopt;
     if (!value.json().is_object())
-      value.fail("an object is expected here");
-    if (!read)
-      return;
-    order.add(*read, value);
-    nodes.push_back(std::move(*read));
+      return value.fail("an object is expected here");
+    Node read = node(value);
+    order.add(read, value);
+    nodes.push_back(std::move(read));
   });
   order.complete(nodes);
   return nodes;
@@ -181,6 +183,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   std::vector<Annotation> notes;
   std::vector<View> saved;
   std::vector<Scan> scans;
+  std::vector<SourceTrace> traces;
   items(all, "nodes", mostSceneNodes, [&](const JsonValue& list) { return nodes(list); });
   items(cuts, "sections", mostSceneSections, [&](const JsonValue& list) { return sections(list); });
   items(notes, "annotations", mostSceneLabels,
@@ -192,7 +195,8 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   readInto(object.take("key_light"), light, keyLightFrom);
   items(saved, "views", mostSceneViews, [&](const JsonValue& list) { return views(list); });
   items(scans, "scans", mostSceneScans,
-        [&](const JsonValue& list) { return scansFrom(list, m_parts.voxels); });
+        [&](const JsonValue& list) { return scansFrom(list, m_parts.voxels, m_parts.damaged); });
+  items(traces, "traces", mostSourceTraces, tracesFrom);
   Scene scene;
   if (root.fault().ends())
     return scene;
@@ -202,6 +206,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   scene.setFocus(std::move(focused));
   scene.setKeyLight(std::move(light));
   scene.setScans(std::move(scans));
+  scene.setTraces(std::move(traces));
   scene.setViews(std::move(saved));
   scene.setUnread(object.unread());
   return scene;

@@ -37,8 +37,7 @@ class SceneJsonReader {
   void look(JsonObject& object, Node& node) const;
   /// Returns what is painted on the mesh.
   PaintPtr paint(JsonObject& object, const Mesh& mesh) const;
-  /// Returns nothing where its mesh is not to be had.
-  std::optional<Node> node(const JsonValue& value) const;
+  Node node(const JsonValue& value) const;
   std::vector<Node> nodes(const JsonValue& list) const;
   Section section(const JsonValue& value) const;
   std::vector<Section> sections(const JsonValue& list) const;

@@ -9,6 +9,7 @@
 
 #include "render/labels/seen_layer.h"
 #include "render/lines/stages.h"
+#include "render/strokes/section_caps.h"
 #include "render/strokes/sectioned_surface.h"
 
 namespace sline::render {
@@ -116,7 +117,8 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
                      .place = glm::mix(fromPlace, toPlace, t),
                      .outward = outward,
                      .depth = depth,
-                     .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective) : depth,
+                     .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective)
+                                       : nearer(depth, outlineSteps),
                      .halfWidth = 0.5f * std::max(full, 1.0f),
                      .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * std::min(full, 1.0f)};
       if (!showsAt(point, probes, tolerance))
@@ -152,7 +154,7 @@ void SeenLayer::drawAsInPictures(const model::Scene& scene, const Screen& screen
                                  const SeenGrid& grid) {
   PreparedSurface prepared;
   prepared.surface = m_surface;
-  draw(screen, grid);
+  draw(scene, screen, grid);
   for (SeenCell& cell : m_cells) {
     cell.ink = 0.0f;
     if (cell.what == SeenCell::What::beside)

@@ -63,6 +63,17 @@ struct SeenMap::Dots {
         }
     return cell;
   }
+  /// Tells whether so much of the structure shows around a dot there that one sees what the dot is
+  /// on, and not only what it covers: half as much as the dot itself; or nothing else is near.
+  bool showsAround(int x, int y) const {
+    constexpr float haloed = 1.7f;  // radii, with the light rim around the dot
+    constexpr float near = 4.0f;
+    constexpr float half = 0.5f;
+    constexpr float calm = 0.1f;
+    const Disc all = disc(x, y, near * radius);
+    return all.others <= calm ||
+           all.own * near * near - disc(x, y, haloed * radius).own * haloed * haloed >= half;
+  }
   /// Returns the shares of a disc around a cell.
   Disc disc(int x, int y, float size) const {
     Disc disc;
@@ -142,12 +153,12 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
   for (const Fragment& one : fragments(x, y)) {
     if (one.layer == layer)
       continue;
-    if (!passed && own.mayLieBefore(mine.depth, one.depth)) {
+    if (!passed && own.mayLieBefore(mine, cellOf(one, x, y))) {
       const float before = left;
       shares.traces = std::max(shares.traces, pass(own, mine, mine.ink, 0.0f));
       left = before;
     }
-    if (!passed && mine.depth < one.depth && !own.touches(mine.depth, one.depth)) {
+    if (!passed && mine.depth < one.depth && !own.touches(mine, cellOf(one, x, y))) {
       shares.own = clear * pass(own, mine, mine.ink, 0.0f);
       passed = true;
     }
@@ -199,7 +210,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
     if (dot.own < enough || dot.own < leads * dot.others)
       return std::nullopt;
     const Dots::Disc around = all.disc(x, y, wide);
-    if (dot.own < much && around.others > calm)
+    if ((dot.own < much && around.others > calm) || !all.showsAround(x, y))
       return std::nullopt;
     // A narrow strip is surest away from its ends.
     const float along = all.disc(x, y, 3.0f * all.radius).own;
@@ -217,7 +228,9 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
       sharesAt(all.layer, layer, hidden->x, hidden->y).traces > little)
     best = all.best([&](int x, int y) -> std::optional<float> {
       const Dots::Disc dot = all.disc(x, y, all.radius);
-      return dot.own > least ? std::optional(dot.own + dot.traces - dot.others) : std::nullopt;
+      return dot.own > least && all.showsAround(x, y)
+                 ? std::optional(dot.own + dot.traces - dot.others)
+                 : std::nullopt;
     });
   // Ink lies outside the surface: the place on it is beside the dot.
   const auto on = best ? all.layer.coveredNear(best->x, best->y, 4) : std::nullopt;

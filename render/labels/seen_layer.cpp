@@ -8,7 +8,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "model/geometry/plane_section.h"
 #include "model/geometry/sight.h"
+#include "render/strokes/face_patterns.h"
+#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 
@@ -54,8 +57,8 @@ SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
     : SeenLayer(node, style) {
   const std::vector<model::Section> sections = scene.sectionsOf(node.id);
   m_planes = model::planesOf(sections);
-  if (!sections.empty())
-    m_faces = sections.front().faces;
+  for (const model::Section& section : sections)
+    m_faces.push_back(section.faces);
 }
 
 SeenLayer SeenLayer::undrawn() const {
@@ -64,6 +67,8 @@ SeenLayer SeenLayer::undrawn() const {
   layer.m_surface = m_surface;
   layer.m_faces = m_faces;
   layer.m_planes = m_planes;
+  layer.m_pattern = m_pattern;
+  layer.m_patternKnown = m_patternKnown;
   return layer;
 }
 
@@ -72,7 +77,7 @@ SeenFill SeenLayer::fillOf(const SeenCell& cell, float bent) const {
     case SeenCell::What::surface:
       return m_look.surface(cell.facing, bent);
     case SeenCell::What::cutFace:
-      return m_look.cutFace(m_faces);
+      return m_look.cutFace(facesOf(cell), m_pattern);
     default:
       return {};
   }
@@ -164,33 +169,11 @@ void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
     }
 }
 
-/// Tells whether the surface is closed but for specks, so that cutting it makes faces.
-bool SeenLayer::isSolid() const {
-  const auto triangles = m_mesh->triangles();
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * triangles.size());
-  for (const model::Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t a = t[k];
-      const std::uint64_t b = t[(k + 1) % 3];
-      edges.push_back(std::min(a, b) << 32 | std::max(a, b));
-    }
-  std::sort(edges.begin(), edges.end());
-  std::size_t rims = 0;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end] == edges[i])
-      ++end;
-    rims += end - i == 1 ? 1 : 0;
-    i = end;
-  }
-  constexpr std::size_t specks = 300;
-  return rims * specks < edges.size();
-}
-
-void SeenLayer::findCutFaces(const Screen& screen, const SeenGrid& grid) {
-  if (m_planes.empty() || !isSolid())
+void SeenLayer::findCutFaces(const model::Scene& scene, const Screen& screen,
+                             const SeenGrid& grid) {
+  if (m_planes.empty() || !(m_surface ? m_surface->solid : model::isSolid(*m_mesh)))
     return;
+  std::vector<std::optional<float>> steps(m_planes.size());
   for (int y = m_top; y < m_top + m_rows; ++y)
     for (int x = m_left; x < m_left + m_columns; ++x) {
       SeenCell& cell = m_cells[index(x, y)];
@@ -201,10 +184,20 @@ void SeenLayer::findCutFaces(const Screen& screen, const SeenGrid& grid) {
       const model::KeptSpan kept = model::keptSpan(ray, m_planes);
       if (!kept.entered || kept.empty())
         continue;
-      cell.depth = screen.depthKey(ray.origin + float(kept.nearest) * ray.direction);
+      std::optional<float>& step = steps[*kept.entered];
+      if (!step)
+        step = faceSteps(model::sectionArea(*m_mesh, m_planes[*kept.entered]),
+                         scene.visibleBounds().size());
+      cell.depth = nearer(screen.depthKey(ray.origin + float(kept.nearest) * ray.direction), *step);
       cell.what = SeenCell::What::cutFace;
+      cell.face = std::uint8_t(*kept.entered);
       cell.facing = 1.0f;
     }
+  const bool cut = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step; });
+  if (cut && !m_patternKnown) {
+    m_pattern = cutPattern(scene, *m_node);
+    m_patternKnown = true;
+  }
 }
 
 /// Surfaces that fall between the middles of cells are seen all the same.
@@ -274,7 +267,12 @@ void SeenLayer::findOutlines(float pen) {
   }
 }
 
-void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
+float SeenLayer::nearer(float key, float steps) {
+  constexpr float step = 2.5e-7f;  // a few of the last digits
+  return key - step * steps * std::abs(key);
+}
+
+void SeenLayer::draw(const model::Scene& scene, const Screen& screen, const SeenGrid& grid) {
   const model::Mesh& mesh = *m_mesh;
   m_remains = std::any_of(mesh.positions().begin(), mesh.positions().end(),
                           [this](const glm::vec3& p) { return model::keptByAll(m_planes, p); });
@@ -297,7 +295,7 @@ void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
   };
   m_fold = step(fold);
   m_touch = step(touching);
-  findCutFaces(screen, grid);
+  findCutFaces(scene, screen, grid);
   const float lambda = screen.size().y / 720.0f;
   findOutlines(m_look.pen() * lambda / grid.side);
 }

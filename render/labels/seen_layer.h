@@ -4,6 +4,7 @@
 // wherever it is made.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,16 +32,18 @@ struct SeenCell {
   std::uint32_t triangle = 0;
   float facing = 1.0f;  ///< cosine between the surface's normal and the line of sight
   enum class What : std::uint8_t { nothing, surface, cutFace, beside } what = What::nothing;
-  bool outline = false;  ///< the structure's outline runs through it
-  float ink = 0.0f;      ///< the share of it that the outline's pen covers
+  bool outline = false;   ///< the structure's outline runs through it
+  float ink = 0.0f;       ///< the share of it that the outline's pen covers
+  std::uint8_t face = 0;  ///< of a cut face: the section's number
 };
 
 class SeenLayer {
  public:
   SeenLayer(const model::Scene& scene, const model::Node& node, const model::ResolvedStyle& style);
 
-  /// Draws the structure as its sections leave it; its outlines are where its cells end.
-  void draw(const Screen& screen, const SeenGrid& grid);
+  /// Draws the structure as its sections leave it; its outlines are where its cells end. Its cut
+  /// faces lie before and behind others of their plane as in pictures (faceSteps).
+  void draw(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
   /// Draws it with the curves that pictures have (METHOD §11), after its surface was taken: takes
   /// longer. Cells must be λ wide and the grid must be the whole picture's.
   void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
@@ -71,12 +74,29 @@ class SeenLayer {
     const SeenCell::What what = at(x, y).what;
     return what == SeenCell::What::surface || what == SeenCell::What::cutFace;
   }
-  /// Tells whether another surface that is no nearer than this one may hide it all the same: the
-  /// two touch, and which of them a picture shows changes from pixel to pixel.
-  bool touches(float depth, float other) const { return other >= depth && other < depth + m_touch; }
+  /// Tells whether another surface that is no nearer than this one's cell may hide it all the same:
+  /// the two touch, and which of them a picture shows changes from pixel to pixel. Of two cut faces
+  /// it is known.
+  bool touches(const SeenCell& cell, const SeenCell& other) const {
+    return other.depth >= cell.depth && mayLieBefore(cell, other);
+  }
   /// Tells whether this surface may be what a picture shows of the two, as it is nearer or touches
   /// the other.
-  bool mayLieBefore(float depth, float other) const { return depth < other + m_touch; }
+  bool mayLieBefore(const SeenCell& cell, const SeenCell& other) const {
+    const bool cuts = cell.what == SeenCell::What::cutFace && other.what == cell.what;
+    return cell.depth < other.depth + (cuts ? 0.0f : m_touch);
+  }
+  /// Tells whether two cells show faces of one cut, of which none lies in front of the other.
+  bool inOneFace(const SeenCell& cell, const SeenCell& other) const {
+    constexpr float lifts = 2e-4f;  // the most that faces of a plane are apart
+    return cell.what == SeenCell::What::cutFace && other.what == cell.what &&
+           std::abs(cell.depth - other.depth) <= m_touch + lifts * std::abs(cell.depth);
+  }
+  /// Tells whether the cell shows a cut face without colour of its own.
+  bool isPaper(const SeenCell& cell) const {
+    return cell.what == SeenCell::What::cutFace &&
+           m_look.cutFace(facesOf(cell), m_pattern).colour <= 0.0f;
+  }
   /// Tells whether anything of it is left by sections, in the picture or not.
   bool remains() const { return m_remains; }
   /// Returns the point of the surface that a cell shows, and where the output shows it.
@@ -113,11 +133,15 @@ class SeenLayer {
   void project(const Screen& screen, const SeenGrid& grid);
   void drawTriangle(const Screen& screen, std::uint32_t triangle);
   void take(int x, int y, const SeenCell& cell);
-  bool isSolid() const;
-  void findCutFaces(const Screen& screen, const SeenGrid& grid);
+  model::CutFaces facesOf(const SeenCell& cell) const {
+    return cell.face < m_faces.size() ? m_faces[cell.face] : model::CutFaces::tissue;
+  }
+  void findCutFaces(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
   void findOutlines(float pen);
   void drawCurves(const StructureLines& drawn, const model::Surface& surface, const Screen& screen,
                   const PictureView& view);
+  /// Returns the depth that many steps in front of that one.
+  static float nearer(float key, float steps);
   bool showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const;
   void takeInk(const PenPoint& point, std::vector<float>& depths);
   float distanceAt(const glm::vec2& cell) const;
@@ -129,8 +153,10 @@ class SeenLayer {
   model::ResolvedStyle m_style;
   SeenLook m_look;
   bool m_perspective = true;
-  model::CutFaces m_faces = model::CutFaces::tissue;
   std::vector<model::Plane> m_planes;
+  std::vector<model::CutFaces> m_faces;  ///< one for each plane
+  model::CutPattern m_pattern = model::CutPattern::plain;
+  bool m_patternKnown = false;
   std::vector<Corner> m_corners;
   int m_left = 0;
   int m_top = 0;

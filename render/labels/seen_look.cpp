@@ -75,8 +75,8 @@ SeenFill SeenLook::surfaceAt(float shading, float complete, float facing, float 
   return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};
 }
 
-SeenFill SeenLook::cutFace(model::CutFaces faces) const {
-  if (faces == model::CutFaces::off)
+SeenFill SeenLook::cutFace(model::CutFaces faces, model::CutPattern pattern) const {
+  if (isPaperFace(faces, pattern))
     return {0.0f, m_opacity};
   return {m_opacity * capTint(m_gamma), m_opacity};
 }

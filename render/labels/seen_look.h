@@ -3,6 +3,7 @@
 // (METHOD §7, §10), as far as that follows from its style and from how its surface stands there.
 #pragma once
 
+#include "model/anatomy/cut_pattern.h"
 #include "model/scene/scene.h"
 
 namespace sline::render {
@@ -23,7 +24,7 @@ class SeenLook {
   /// what its own Γ says and hides as much as anywhere, so that no leader ends on what it hides.
   SeenFill surface(float facing, float bent = 0.0f) const;
   /// Returns the fill of a cut face.
-  SeenFill cutFace(model::CutFaces faces) const;
+  SeenFill cutFace(model::CutFaces faces, model::CutPattern pattern) const;
   /// The strength of its outlines.
   float outline() const { return m_lines; }
   /// The width of the pen that draws them, in λ.

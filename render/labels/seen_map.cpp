@@ -40,7 +40,8 @@ SeenMap::SeenMap(const model::Scene& scene, const Screen& screen, model::MeshTre
       m_index[one.node->id] = std::uint32_t(m_layers.size());
       m_layers.emplace_back(scene, *one.node, one.style);
     }
-  parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
+  parallelFor(m_layers.size(), 1,
+              [&](std::size_t i) { m_layers[i].draw(m_scene, m_screen, m_grid); });
   compose();
 }
 
@@ -173,6 +174,7 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
   constexpr float visible = 0.35f;
   constexpr float clearly = 0.12f;
   constexpr float ahead = 1.4f;
+  const SeenCell& cell = own.at(x, y);
   Fragment mine;
   for (const Fragment& one : fragments(x, y))
     if (one.layer == layer)
@@ -188,11 +190,10 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
         if (one.layer == layer)
           continue;
         others = std::max(others, one.most());
-        const bool touching = own.touches(mine.depth, one.depth);
-        if (touching) {
-          const SeenLayer& other = m_layers[one.layer];
-          others = std::max(others, mine.reach * other.fillOf(other.at(x + dx, y + dy)).colour);
-        }
+        const SeenCell& there = cellOf(one, x + dx, y + dy);
+        const bool touching = own.touches(cell, there);
+        if (touching)
+          others = std::max(others, mine.reach * m_layers[one.layer].fillOf(there).colour);
         inkAround = std::max(inkAround, one.ink);
         alone = alone && one.reach < faint && !touching;
         if (dx != 0 || dy != 0)
@@ -202,7 +203,7 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
           before = std::max(before, one.colour);
       }
   const bool filled = mine.colour >= clearly;
-  if (mine.reach >= visible && alone)
+  if (mine.reach >= visible && alone && !own.isPaper(cell))
     return Worth::alone;
   if (filled && mine.colour >= ahead * others)
     return Worth::most;

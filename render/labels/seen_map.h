@@ -59,7 +59,8 @@ class SeenMap {
 
   /// Tells whether the structure is drawn, in the picture or not, and not wholly cut away.
   bool draws(model::NodeId structure) const;
-  /// Returns where to point at the structure: on its own fill where nothing else shows, as far as
+  /// Returns where to point at the structure: on a cut face of its own that shows clearly, inside
+  /// it; else on its own fill where nothing else shows, as far as
   /// possible from where that ends; else on its own fill where that is most of what one sees; else
   /// where a dot lies on its own ink and colour more than on others'; else inside it where only the
   /// ground shows. Where it shows nowhere the place is hidden. A place from before, or one that the
@@ -113,9 +114,14 @@ class SeenMap {
            m_covered[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)];
   }
   std::span<const Fragment> fragments(int x, int y) const;
+  const SeenCell& cellOf(const Fragment& one, int x, int y) const {
+    return m_layers[one.layer].at(x, y);
+  }
   Worth worthOf(std::uint32_t layer, int x, int y) const;
   Candidates candidates(std::uint32_t layer) const;
-  std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before) const;
+  /// Returns the place before where it is as good as any; `onFace` asks for one on a cut face.
+  std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before,
+                                bool onFace) const;
   /// Draws another map's layers into cells of half the size, where outlines are as wide as pens,
   /// with the surfaces and curves that pictures have.
   SeenMap(const SeenMap& other, const SeenGrid& grid);

@@ -57,7 +57,10 @@ std::vector<SeenCover> SeenMap::covers() const {
         for (std::size_t j = 0; j < i; ++j) {
           const float after = here[j + 1].reach;
           const bool hides = here[j].reach >= comesThrough && after <= hiddenReach;
-          const bool sure = !m_layers[here[j].layer].touches(here[j].depth, here[i].depth);
+          const SeenLayer& before = m_layers[here[j].layer];
+          const SeenCell& nearer = cellOf(here[j], x, y);
+          const SeenCell& farther = cellOf(here[i], x, y);
+          const bool sure = !before.touches(nearer, farther) && !before.inOneFace(nearer, farther);
           if (hides && sure && here[j].layer != here[i].layer)
             hidden[{here[j].layer, here[i].layer}] += 1.0f;
         }

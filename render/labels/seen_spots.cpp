@@ -19,6 +19,7 @@ struct SeenMap::Candidates {
   int rows = 0;
   std::vector<Worth> worth;
   std::vector<bool> firm;  ///< faces the eye, and no fold is near
+  std::vector<bool> cut;   ///< on a coloured cut face of its own, which shows more than any other
 
   std::size_t size() const { return worth.size(); }
   int x(std::size_t i) const { return left + int(i % std::size_t(columns)); }
@@ -122,10 +123,12 @@ SeenMap::Candidates SeenMap::candidates(std::uint32_t layer) const {
                  .columns = own.columns(),
                  .rows = own.rows(),
                  .worth = {},
-                 .firm = {}};
+                 .firm = {},
+                 .cut = {}};
   const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
   all.worth.resize(cells);
   all.firm.resize(cells);
+  all.cut.resize(cells);
   constexpr float oblique = 0.3f;
   for (std::size_t i = 0; i < cells; ++i) {
     const int x = all.x(i);
@@ -133,11 +136,14 @@ SeenMap::Candidates SeenMap::candidates(std::uint32_t layer) const {
     all.worth[i] = worthOf(layer, x, y);
     const SeenCell& cell = own.at(x, y);
     all.firm[i] = own.covers(x, y) && !cell.outline && cell.facing >= oblique;
+    all.cut[i] =
+        cell.what == SeenCell::What::cutFace && !own.isPaper(cell) && all.worth[i] >= Worth::most;
   }
   return all;
 }
 
-std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Anchor& before) const {
+std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Anchor& before,
+                                       bool onFace) const {
   const std::optional<glm::vec3> p = m_scene.placeOf(before);
   const std::optional<glm::vec2> place = p ? m_screen.place(*p) : std::nullopt;
   if (!place || !m_screen.inside(*place))
@@ -146,7 +152,7 @@ std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Ancho
   const int y = int(std::floor(place->y / m_grid.side));
   const std::optional<std::size_t> index = all.indexAt(x, y);
   const std::optional<Worth> worth = index ? std::optional(all.worth[*index]) : std::nullopt;
-  if (!worth || *worth <= Worth::slim || *worth == Worth::outline)
+  if (!worth || *worth <= Worth::slim || *worth == Worth::outline || (onFace && !all.cut[*index]))
     return std::nullopt;
   // The surface that is seen there is that of the place.
   const SeenLayer& own = m_layers[all.layer];
@@ -167,8 +173,12 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   if (index == m_index.end() || m_layers[index->second].columns() == 0)
     return std::nullopt;
   const Candidates all = candidates(index->second);
+  // Where a section shows the structure's inside, that is what the picture is made for.
+  constexpr float roomOnFace = 0.7f;  // millimetres
+  const auto face = deepest(all.cut, all.columns, all.rows);
+  const bool onFace = face && face->depth * m_grid.side >= roomOnFace;
   if (before)
-    if (std::optional<SeenPlace> stays = kept(all, *before))
+    if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
       return stays;
   const auto spotOf = [&](auto&& is, bool firm) {
     std::vector<bool> counts(all.size());
@@ -188,6 +198,11 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   };
   constexpr float roomForDot = 1.2f;  // millimetres
   const float enough = roomForDot / m_grid.side;
+  if (onFace) {
+    const auto spot =
+        towards ? nearest(all.cut, all.columns, std::min(enough, face->depth), *towards) : face;
+    return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
+  }
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
   constexpr float cornerShare = 0.4f;
   const auto isPlain = [](Worth worth) { return worth >= Worth::most; };

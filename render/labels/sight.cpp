@@ -13,11 +13,15 @@ namespace sline::render {
 
 namespace {
 
+bool isThin(const model::ResolvedStyle& style) {
+  constexpr float thin = 0.4f;
+  return style.opacity.value() < thin;
+}
+
 bool hidesWhatIsBehind(const model::ResolvedStyle& style) {
   constexpr float shaded = 3.5f;  // halfway from hatching to shading
-  constexpr float thin = 0.4f;
   const bool filled = gammaSpan(style).most.value() >= shaded || style.fill == model::Fill::paper;
-  return filled && style.opacity.value() >= thin;
+  return filled && !isThin(style);
 }
 
 }  // namespace
@@ -28,7 +32,7 @@ Sights::Sights(const model::Scene& scene, model::MeshTrees& trees)
   for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, all))
     if (structure.style.visible && structure.style.opacity.value() > 0.0f)
       m_bodies.push_back({structure.node, model::planesOf(scene.sectionsOf(structure.node->id)),
-                          hidesWhatIsBehind(structure.style)});
+                          hidesWhatIsBehind(structure.style), !isThin(structure.style)});
 }
 
 const Sights::Body* Sights::find(model::NodeId id) const {
@@ -62,7 +66,7 @@ std::optional<Sights::SightHit> Sights::nearest(const model::Ray& ray) const {
 std::vector<model::MeshPtr> Sights::withoutTree() const {
   std::vector<model::MeshPtr> meshes;
   for (const Body& body : m_bodies)
-    if (body.hides && !m_trees.has(body.node->mesh))
+    if (body.mayHide() && !m_trees.has(body.node->mesh))
       meshes.push_back(body.node->mesh);
   return meshes;
 }
@@ -89,13 +93,16 @@ bool Sights::hidden(const model::Anchor& anchor, const model::Ray& ray) const {
   const float at = glm::dot(place - ray.origin, ray.direction);
   const auto* onSurface = std::get_if<model::SurfacePoint>(&anchor);
   for (const Body& body : m_bodies) {
-    if (!body.hides)
+    if (!body.mayHide())
       continue;
     const bool own = onSurface && onSurface->structure == body.node->id;
     const float size = glm::length(body.node->mesh->bounds().size());
-    model::Ray before = ray;
-    before.farthest = at - (own ? 0.005f * size : 1e-4f * size);
-    if (before.nearest <= before.farthest && meet(body, before))
+    const float before = at - (own ? 0.005f * size : 1e-4f * size);
+    // The wall by which one knows a cut face may lie behind the place.
+    const std::optional<SightHit> met = meet(body, ray);
+    if (!met || met->hit.t > before)
+      continue;
+    if (body.hides || (met->cutFace && m_trees.solid(body.node->mesh)))
       return true;
   }
   return false;

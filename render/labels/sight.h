@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds what is seen along a line of sight, and what is hidden. Transparent things hide nothing: a
 // structure without a fill or shading, a tinted or veiled one, and one that is more clear than not.
+// Cut faces hide what is behind them whatever the structure's fill.
 #pragma once
 
 #include <optional>
@@ -41,6 +42,8 @@ class Sights {
     const model::Node* node;
     std::vector<model::Plane> planes;
     bool hides;
+    bool facesHide;  ///< its cut faces do
+    bool mayHide() const { return hides || (facesHide && !planes.empty()); }
   };
   const Body* find(model::NodeId id) const;
   std::optional<SightHit> meet(const Body& body, const model::Ray& ray) const;

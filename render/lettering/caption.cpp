@@ -79,7 +79,7 @@ std::optional<Caption> captionOf(const std::string& markup, const LabelStyle& st
                        float(text.lines.size()) * leading + 2.0f * padding.y};
   caption.box.low = {place.middle - 0.5f * size.x, place.foot - size.y};
   caption.box.high = caption.box.low + size;
-  const LetteringColours colours = letteringColours(written.onDark);
+  const LetteringColours colours = letteringColours(written.ground);
   caption.item.name = "caption";
   caption.item.shapes.push_back({.path = roundedBox(caption.box.low, caption.box.high, boxCorner),
                                  .pen = boxPen,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "render/lettering/column_widths.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
@@ -25,10 +26,10 @@ constexpr float pinRadius = 0.8f;
 class Setting {
  public:
   explicit Setting(const LabelPlate& plate)
-      : m_plate(plate), m_colours(letteringColours(plate.style.onDark)) {}
+      : m_plate(plate), m_colours(letteringColours(plate.style.ground)) {}
 
   Lettering make() {
-    Lettering lettering{.ground = m_colours.ground, .items = {}};
+    Lettering lettering{.ground = m_colours.ground, .clear = m_colours.clear, .items = {}};
     for (std::size_t i = 0; i < m_plate.labels.size(); ++i)
       if (const PlacedLabel* placed = m_plate.layout.find(m_plate.labels[i].item.id)) {
         m_item = {.name = nameOf(i), .shapes = {}, .text = {}};
@@ -73,7 +74,7 @@ class Setting {
     }
   }
 
-  /// Adds a line with a bar across at either end.
+  /// Adds a line with a bar across at either end. Where surfaces touch the bars are all there is.
   void addDistance(const LabelItem& item) {
     if (item.places.size() != 2)
       return;
@@ -82,7 +83,7 @@ class Setting {
     const glm::vec2 across =
         1.2f * (length > 0.0f ? glm::vec2(way.y, -way.x) / length : glm::vec2(0.0f, 1.0f));
     for (const glm::vec2& end : item.places)
-      add(polyline({end - across, end + across}), distanceWidth);
+      add(polyline({end - across, end + across}), distanceWidth).dashed = item.hidden;
     add(polyline(item.places), distanceWidth).dashed = item.hidden;
   }
 
@@ -279,8 +280,9 @@ static void leaveOutHidden(LabelsInPicture& labels) {
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       model::MeshTrees& trees, const LabelTurn& turn) {
-  LabelSights sights = labelSights(scene, screen.coveredBy(style.reserved), style.language, trees,
-                                   {turn.before, turn.hurried});
+  LabelSights sights =
+      labelSights(withLooksInColour(scene, style.inColour), screen.coveredBy(style.reserved),
+                  style.language, trees, {turn.before, turn.hurried});
   if (style.seenOnly)
     leaveOutHidden(sights.labels);
   return labelPlate(sights, style, turn);

@@ -3,11 +3,14 @@
 // large they are no larger.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "model/base/units.h"
+#include "model/scene/look.h"
 #include "render/labels/shapes.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 
@@ -23,13 +26,17 @@ inline constexpr float usualHeightMm = 190.5f;
 
 inline constexpr Limits<float> letterLimitsPt{4.0f, 48.0f};
 
+/// How structures look in colour, of a picture that has black ink alone; null for others.
+using LooksInColour = std::shared_ptr<const std::vector<model::Look>>;
+
 struct LabelStyle {
   LabelMode mode = LabelMode::on;
-  float points = 10.0f;   ///< size of the text
-  std::string language;   ///< BCP 47 tag; of texts and numbers
-  bool onDark = false;    ///< light ink, dark halo
-  bool seenOnly = false;  ///< leaves out what would point at a hidden place
-  EdgeRoom edges;         ///< the room where no text stands, as other marks do
+  float points = 10.0f;                   ///< size of the text
+  std::string language;                   ///< BCP 47 tag; of texts and numbers
+  Background ground = Background::white;  ///< decides ink and halos
+  bool seenOnly = false;                  ///< leaves out what would point at a hidden place
+  LooksInColour inColour;                 ///< decides what one sees, and so where labels stand
+  EdgeRoom edges;                         ///< the room where no text stands, as other marks do
   /// Boxes around other marks, in the output, where neither texts nor leaders stand.
   std::vector<LabelBox> reserved;
 };

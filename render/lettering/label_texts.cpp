@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/scene/label_words.h"
+#include "render/lettering/mark_words.h"
 #include "render/lettering/word_division.h"
 
 namespace sline::render {
@@ -42,9 +43,12 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   const QLocale locale(
       QString::fromStdString(style.language.empty() ? "en" : model::firstLanguage(style.language)));
   const int digits = *label.lengthMm < 10.0f ? 1 : 0;
-  const QString length = locale.toString(double(*label.lengthMm), 'f', digits) +
-                         QChar(QChar::Nbsp) +
-                         QString::fromStdString(std::string(symbolOf(label.unit)));
+  constexpr float nothing = 0.05f;  // would be written as 0.0, which no surface is as exact as
+  const QString length = *label.lengthMm < nothing
+                             ? MarkWords(style.language, {}).touching()
+                             : locale.toString(double(*label.lengthMm), 'f', digits) +
+                                   QChar(QChar::Nbsp) +
+                                   QString::fromStdString(std::string(symbolOf(label.unit)));
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 

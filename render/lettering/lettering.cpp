@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "render/lettering/label_texts.h"
+#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 
@@ -29,6 +30,13 @@ QPen pen(const LetteringShape& shape, const Colour& colour, float width, bool ha
   if (shape.dashed && !halo)
     made.setDashPattern({qreal(dashPens), qreal(gapPens)});
   return made;
+}
+
+/// Tells whether parts of what is painted on may be clear.
+bool hasAlpha(QPainter& painter) {
+  const QPaintDevice* device = painter.device();
+  return device && device->devType() == QInternal::Image &&
+         static_cast<const QImage*>(device)->hasAlphaChannel();
 }
 
 void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& ground) {
@@ -74,9 +82,13 @@ void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& se
 
 }  // namespace
 
-LetteringColours letteringColours(bool onDark) {
-  return onDark ? LetteringColours{{240, 240, 240}, {28, 28, 30}}
-                : LetteringColours{{0, 0, 0}, {255, 255, 255}};
+LetteringColours letteringColours(Background background) {
+  const bool clear = background == Background::transparent;
+  const glm::vec4 ground = 255.0f * backgroundColour(clear ? Background::white : background);
+  const auto part = [](float value) { return std::uint8_t(std::lround(value)); };
+  return {.ink = background == Background::dark ? Colour{240, 240, 240} : Colour{0, 0, 0},
+          .ground = {part(ground.r), part(ground.g), part(ground.b)},
+          .clear = clear};
 }
 
 QColor painterColour(const Colour& colour) {
@@ -195,8 +207,11 @@ QPainterPath haloOf(const LetteringText& text) {
 void paintLettering(QPainter& painter, const Lettering& lettering, const TextSetter& setText) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
+  if (lettering.clear && hasAlpha(painter))
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationOut);
   for (const LetteringItem& item : lettering.items)
     paintHalo(painter, item, lettering.ground);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
   for (const LetteringItem& item : lettering.items)
     paintInk(painter, item, setText);
   painter.restore();

@@ -13,6 +13,7 @@
 
 #include "model/base/units.h"
 #include "render/lettering/text_lines.h"
+#include "render/strokes/picture_settings.h"
 #include "render/vectors/path.h"
 
 namespace sline::render {
@@ -48,6 +49,9 @@ struct LetteringItem {
 
 struct Lettering {
   Colour ground{255, 255, 255};  ///< colour of halos, so that everything can be read on a drawing
+  /// There is no ground: halos are gaps in the drawing where what is painted on can have them, and
+  /// else have that colour.
+  bool clear = false;
   std::vector<LetteringItem> items;
 };
 
@@ -57,12 +61,14 @@ inline constexpr float textHalo = 0.5f;
 inline constexpr float dashPens = 5.0f;
 inline constexpr float gapPens = 4.0f;
 
-/// The colours of ink and ground for writing on a light or a dark page.
+/// The colours of ink and ground for writing on a page of that ground: halos have the very colour
+/// that the picture has there. `clear`: there is none, and boxes are white.
 struct LetteringColours {
   Colour ink;
   Colour ground;
+  bool clear = false;
 };
-LetteringColours letteringColours(bool onDark);
+LetteringColours letteringColours(Background background = Background::white);
 
 /// Sets a text with the painter; if the function is empty, the text's outlines are filled.
 using TextSetter = std::function<void(QPainter& painter, const LetteringText& text)>;

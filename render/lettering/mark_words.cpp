@@ -10,7 +10,7 @@
 namespace sline::render {
 
 /// Views and sections are in the order of model::AnatomicalView; %1 is a place, a number or a
-/// length.
+/// length, of sections across an axis the axis, before a place.
 struct MarkTable {
   const char* language;
   std::array<const char*, 6> views;
@@ -18,6 +18,9 @@ struct MarkTable {
   const char* oblique;
   const char* count;
   const char* midDepth;
+  const char* cutFace;
+  std::array<const char*, 2> axisSections;  ///< with smaller, with larger coordinates kept
+  const char* touching;
   std::array<const char*, 5> scalars;  ///< in the order of model::GammaScalar
   const char* place;
 };
@@ -34,6 +37,9 @@ constexpr std::array<MarkTable, 5> tables{
       "Oblique section",
       "%1 sections",
       "%1 at mid-depth",
+      "%1 at the cut face",
+      {"Section at %1 = %2, smaller %1 kept", "Section at %1 = %2, larger %1 kept"},
+      "touching",
       {"", "Depth in cavities, 0 to 1", "Curvature (a ball: 1)", "Distance from %1 (mm)",
        "As painted, 0 to 1"},
       "a place"},
@@ -48,6 +54,9 @@ constexpr std::array<MarkTable, 5> tables{
       "Schräger Schnitt",
       "%1 Schnitte",
       "%1 in mittlerer Tiefe",
+      "%1 an der Schnittfläche",
+      {"Schnitt bei %1 = %2, kleinere %1 erhalten", "Schnitt bei %1 = %2, größere %1 erhalten"},
+      "berühren sich",
       {"", "Tiefe in Höhlungen, 0 bis 1", "Krümmung (Kugel: 1)", "Abstand von: %1 (mm)",
        "Wie gemalt, 0 bis 1"},
       "einem Ort"},
@@ -63,6 +72,9 @@ constexpr std::array<MarkTable, 5> tables{
       "Schuine doorsnede",
       "%1 doorsneden",
       "%1 op halve diepte",
+      "%1 op het snijvlak",
+      {"Doorsnede bij %1 = %2, kleinere %1 behouden", "Doorsnede bij %1 = %2, grotere %1 behouden"},
+      "raken elkaar",
       {"", "Diepte in holten, 0 tot 1", "Kromming (bol: 1)", "Afstand tot %1 (mm)",
        "Zoals geschilderd, 0 tot 1"},
       "een plaats"},
@@ -75,6 +87,9 @@ constexpr std::array<MarkTable, 5> tables{
       "Skrått snitt",
       "%1 snitt",
       "%1 i midtre dybde",
+      "%1 i snittflaten",
+      {"Snitt ved %1 = %2, mindre %1 beholdt", "Snitt ved %1 = %2, større %1 beholdt"},
+      "berører hverandre",
       {"", "Dybde i hulrom, 0 til 1", "Krumning (kule: 1)", "Avstand fra %1 (mm)",
        "Som malt, 0 til 1"},
       "et sted"},
@@ -90,6 +105,9 @@ constexpr std::array<MarkTable, 5> tables{
       "Sectio obliqua",
       "%1 sectiones",
       "%1 in media profunditate",
+      "%1 in superficie sectionis",
+      {"Sectio ad %1 = %2, %1 minore servata", "Sectio ad %1 = %2, %1 maiore servata"},
+      "se tangunt",
       {"", "Profunditas cavitatum, 0 ad 1", "Curvatura (globus: 1)", "Distantia: %1 (mm)",
        "Ut pictum est, 0 ad 1"},
       "locus"}}};
@@ -134,6 +152,14 @@ QString MarkWords::section(const model::Plane& plane, model::DrawnUnit unit) con
   constexpr const char* positive = "LPS";
   constexpr const char* negative = "RAI";
   const double place = std::round(10.0 * model::positionOf(plane)) / 10.0;
+  if (!m_sides.any) {
+    const auto axis = std::size_t(model::axisOf(*kept));
+    const bool larger = plane.normal[int(axis)] < 0.0f;
+    const QString at = m_locale.toString(place == 0.0 ? 0.0 : place, 'f', 1) +
+                       QString(QChar::Nbsp) + symbolText(unit);
+    return QString::fromUtf8(m_table.axisSections[larger ? 1 : 0])
+        .arg(QString(QLatin1Char("xyz"[axis])), at);
+  }
   const char letter = (place < 0.0 ? negative : positive)[model::axisOf(*kept)];
   const QString at = QLatin1Char(letter) + QString(QChar::Nbsp) +
                      m_locale.toString(std::abs(place), 'f', 1) + QString(QChar::Nbsp) +
@@ -157,6 +183,14 @@ QString MarkWords::somePlace() const {
 
 QString MarkWords::atMidDepth(const QString& length) const {
   return QString::fromUtf8(m_table.midDepth).arg(length);
+}
+
+QString MarkWords::atCutFace(const QString& length) const {
+  return QString::fromUtf8(m_table.cutFace).arg(length);
+}
+
+QString MarkWords::touching() const {
+  return QString::fromUtf8(m_table.touching);
 }
 
 }  // namespace sline::render

@@ -25,12 +25,17 @@ class MarkWords {
   /// does not see mostly the named side, the side that it does see is returned, or nothing where it
   /// looks along no axis.
   QString view(const std::string& name, const model::Camera& camera) const;
-  /// Returns "Coronal section at A 12.0 mm, posterior part kept".
+  /// Returns "Coronal section at A 12.0 mm, posterior part kept"; of what has no sides, as
+  /// molecules, "Section at z = 65.8 Å, smaller z kept".
   QString section(const model::Plane& plane, model::DrawnUnit unit) const;
   /// Returns "5 sections", for more than one.
   QString sections(std::size_t count) const;
   /// Returns "5 cm at mid-depth", for a length that is true only there.
   QString atMidDepth(const QString& length) const;
+  /// Returns "5 cm at the cut face", for a length that is true only there.
+  QString atCutFace(const QString& length) const;
+  /// Returns "touching", for two surfaces without a way between them.
+  QString touching() const;
   /// Returns what Γ follows, with its unit; of a distance with "%1" for what it is from.
   QString gammaScalar(model::GammaScalar scalar, model::DrawnUnit unit) const;
   /// Returns "a place", of which there is no name.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lettering/scale_length.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace sline::render {
 
@@ -22,9 +24,40 @@ std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::v
   return ScaleLength{.millimetres = millimetres, .drawn = millimetres / scale};
 }
 
-std::optional<glm::vec3> scalePlace(const model::Scene& scene) {
+std::optional<ScalePlace> ScalePlaces::in(const model::Camera& camera) const {
+  if (!middle)
+    return std::nullopt;
+  ScalePlace place{.at = *middle};
+  float most = 0.8f;  // the cosine from which on a face is what the picture shows
+  for (const model::Plane& plane : planes) {
+    const glm::vec3 on = *middle - float(plane.distance(*middle)) * plane.normal;
+    const float facing = glm::dot(plane.normal, model::towardsEye(camera, on));
+    if (facing <= most)
+      continue;
+    most = facing;
+    place = {.at = on, .onCutFace = true};
+  }
+  return place;
+}
+
+ScalePlaces scalePlaces(const model::Scene& scene) {
   const model::Box bounds = scene.visibleBounds();
-  return bounds.empty() ? std::nullopt : std::optional(bounds.centre());
+  ScalePlaces places;
+  if (bounds.empty())
+    return places;
+  places.middle = bounds.centre();
+  for (const model::Section& section : scene.sections()) {
+    const model::Box cut = scene.visibleBounds(section.scope);
+    if (cut.empty())
+      continue;
+    const auto corners = cut.corners();
+    const auto keeps = [&](const glm::vec3& corner) { return section.plane.keeps(corner); };
+    const bool all = std::all_of(corners.begin(), corners.end(), keeps);
+    const bool none = std::none_of(corners.begin(), corners.end(), keeps);
+    if (section.enabled && !all && !none)
+      places.planes.push_back(section.plane);
+  }
+  return places;
 }
 
 QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {

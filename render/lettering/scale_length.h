@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "model/scene/camera.h"
 #include "model/scene/known_frame.h"
@@ -25,10 +26,22 @@ struct ScaleLength {
 /// picture of that height. It is absent where there is no scale: for a point behind the eye.
 std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::vec3& at,
                                        double height, double most);
-/// Returns where the scale bars of a scene are true: in the middle of what is visible, in every
-/// product alike, so that a bar does not depend on what the camera turns around. It is absent where
-/// nothing is visible.
-std::optional<glm::vec3> scalePlace(const model::Scene& scene);
+/// Where a picture's scale bar is true.
+struct ScalePlace {
+  glm::vec3 at{0.0f};
+  bool onCutFace = false;  ///< a face that the camera sees from its front; else mid-depth
+};
+/// Where the scale bars of a scene are true, in every product alike, so that a bar does not depend
+/// on what the camera turns around: on the cut face that faces the camera, as that is what one
+/// measures there, else in the middle of what is visible.
+struct ScalePlaces {
+  std::optional<glm::vec3> middle;   ///< absent where nothing is visible
+  std::vector<model::Plane> planes;  ///< of the sections that cut what is visible
+  /// Returns that of a camera; of several faces the one that it sees most from the front.
+  std::optional<ScalePlace> in(const model::Camera& camera) const;
+  bool operator==(const ScalePlaces&) const = default;
+};
+ScalePlaces scalePlaces(const model::Scene& scene);
 /// Returns "5 mm", from 10 mm on "1 cm", from 1000 mm on "1 m", with the number as the locale
 /// writes it; for a scene that is drawn in another unit its number of those: "5 Å";
 /// where the unit is doubted "1 cm?".

@@ -24,6 +24,13 @@ constexpr float little = 0.1f;
 /// The share of a structure's surface that must reach the eye through what is before it, so that
 /// its inside is said to be seen where nothing is drawn.
 constexpr float reaches = 0.35f;
+/// A dot and the light rim around it, and how far about it one looks: radii.
+constexpr float haloed = 1.7f;
+constexpr float near = 4.0f;
+/// What must show there beside the dot, in dots, so that one sees what the dot is on; and what is
+/// enough for everybody to see it.
+constexpr float leastAround = 0.25f;
+constexpr float plentyAround = 1.0f;
 
 /// How much of a structure one sees at each pixel, 0 … 255.
 using Shares = std::vector<std::uint8_t>;
@@ -76,6 +83,14 @@ class Judge {
     if (const auto own = core.find(end.structure.value); own != core.end())
       verdict.own = std::max(verdict.own, own->second);
     bool seen = verdict.own >= enough || (verdict.own > 0.0f && verdict.own >= verdict.another);
+    if (const float around = aroundDot(end);
+        seen && around < (end.dashed ? plentyAround : leastAround)) {
+      if (!end.dashed)
+        verdict.fault = LeaderFault::underTheDot;
+      else if (showsSomewhere(end.structure))
+        verdict.fault = LeaderFault::dashedThoughSeen;
+      return verdict;
+    }
     const bool ground = others <= little;
     if (!seen && ground) {
       const Result<float> reached = reachedAt(end);
@@ -145,6 +160,22 @@ class Judge {
     return dot;
   }
 
+  /// Returns how much of the structure one sees around the dot, in dots; plenty where nothing else
+  /// is there that the dot could be on.
+  float aroundDot(const LeaderEnd& end) const {
+    float others = 0.0f;
+    for (const auto& [id, share] : dotAt(end.place, near))
+      others += id == 0 || id == end.structure.value ? 0.0f : share;
+    if (others <= little)
+      return plentyAround;
+    const auto shows = [&](float size) {
+      const std::map<std::uint64_t, float> disc = dotAt(end.place, size);
+      const auto own = disc.find(end.structure.value);
+      return own == disc.end() ? 0.0f : own->second * size * size;
+    };
+    return shows(near) - shows(haloed);
+  }
+
   /// Returns how much of the structure's surface, drawn solid, would reach the eye there.
   Result<float> reachedAt(const LeaderEnd& end) {
     if (!m_solid.contains(end.structure.value)) {
@@ -163,10 +194,10 @@ class Judge {
            255.0f;
   }
 
-  /// Tells whether there is a dot somewhere of which the structure takes most.
+  /// Tells whether there is a dot somewhere of which the structure takes most, and which does not
+  /// cover what one sees of it.
   bool showsSomewhere(model::NodeId id) const {
     constexpr float most = 0.7f;
-    const int side = std::max(int(std::ceil(2.0f * m_picture.dotRadius)), 1);
     const std::size_t row = std::size_t(m_width) + 1;
     std::vector<std::uint32_t> sums(row * (std::size_t(m_height) + 1));
     for (std::size_t y = 0; y < std::size_t(m_height); ++y)
@@ -174,14 +205,26 @@ class Judge {
         sums[(y + 1) * row + x + 1] = sums[y * row + x + 1] + sums[(y + 1) * row + x] -
                                       sums[y * row + x] +
                                       (m_seen[y * std::size_t(m_width) + x] == id.value ? 1 : 0);
-    const std::size_t s = std::size_t(side);
-    for (std::size_t y = 0; y + s <= std::size_t(m_height); ++y)
-      for (std::size_t x = 0; x + s <= std::size_t(m_width); ++x) {
-        const std::uint32_t count = sums[(y + s) * row + x + s] + sums[y * row + x] -
-                                    sums[y * row + x + s] - sums[(y + s) * row + x];
-        if (float(count) >= most * float(side * side))
+    /// Returns the structure's pixels in a square about one.
+    const auto within = [&](int x, int y, int half) {
+      const auto left = std::size_t(std::max(x - half, 0));
+      const auto top = std::size_t(std::max(y - half, 0));
+      const auto right = std::size_t(std::min(x + half + 1, m_width));
+      const auto foot = std::size_t(std::min(y + half + 1, m_height));
+      return float(sums[foot * row + right] + sums[top * row + left] - sums[top * row + right] -
+                   sums[foot * row + left]);
+    };
+    const float radius = m_picture.dotRadius;
+    const int dot = std::max(int(std::ceil(radius - 0.5f)), 0);
+    const auto side = float(2 * dot + 1);
+    const int covered = int(std::ceil(haloed * radius));
+    const int reach = int(near * radius);
+    constexpr float disc = 3.14159265f;
+    for (int y = dot; y + dot < m_height; ++y)
+      for (int x = dot; x + dot < m_width; ++x)
+        if (within(x, y, dot) >= most * side * side &&
+            within(x, y, reach) - within(x, y, covered) >= plentyAround * disc * radius * radius)
           return true;
-      }
     return false;
   }
 

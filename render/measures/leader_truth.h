@@ -25,10 +25,11 @@ struct LeaderEnd {
 
 enum class LeaderFault {
   none,
-  onAnother,        ///< another structure is what one sees there, and the leader is not dashed
-  besideIt,         ///< one sees nothing there, and it is outside the structure's silhouette
-  dashedWhereSeen,  ///< dashed although the structure is what one sees there
-  dashedThoughSeen  ///< the structure can be seen elsewhere in the picture, with room for a dot
+  onAnother,         ///< another structure is what one sees there, and the leader is not dashed
+  besideIt,          ///< one sees nothing there, and it is outside the structure's silhouette
+  dashedWhereSeen,   ///< dashed although the structure is what one sees there
+  dashedThoughSeen,  ///< the structure can be seen elsewhere in the picture, with room for a dot
+  underTheDot        ///< what shows of it there is so little that the dot covers it
 };
 
 struct LeaderVerdict {

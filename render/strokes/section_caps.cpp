@@ -26,14 +26,10 @@ constexpr double patternContrast = 3.0;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
 
-/// Returns a small step towards the eye, as faces of one plane would lie equally deep. The smaller
-/// face comes first, so that a structure inside another shows on its cut face: a step of depth for
-/// every 4 % of area.
+/// Returns a small way towards the eye (window depth), as faces of one plane would lie equally
+/// deep.
 float lift(const CutFace& face, const PictureView& view) {
-  const glm::vec3 size = view.bounds().size();
-  const double whole = double(glm::dot(size, size));
-  const double halvings = std::log2(whole / std::max(face.capArea, 1e-9 * whole));
-  return 1.2e-7f * float(std::round(16.0 * std::max(halvings, 0.0)));
+  return outlineLift / outlineSteps * faceSteps(face.capArea, view.bounds().size());
 }
 
 /// Returns the window depth on the plane over pixels from the picture's middle. A plane seen
@@ -70,20 +66,11 @@ Colour asColour(const glm::vec3& rgb) {
   return {std::uint8_t(c.r), std::uint8_t(c.g), std::uint8_t(c.b)};
 }
 
-/// Tells whether the face has no colour: where the section says so, and where the structure is its
-/// wall or rim alone, so that a tint would fill with it what is something else.
-bool isPaper(const DrawnStructure& shown, std::size_t face) {
-  const model::CutFaces faces = shown.sections[face].faces;
-  if (faces == model::CutFaces::tint)
-    return shown.pattern == model::CutPattern::rim;
-  return faces == model::CutFaces::off || model::isOpenWithin(shown.pattern);
-}
-
 /// Returns the face's colour: the structure's own where that is shaded, else a tint. Under a
 /// pattern it is never so dark (on a dark ground: so light) that the strokes are lost in it.
 glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::size_t face) {
   const glm::vec3 paper = paperColour(background);
-  if (isPaper(shown, face))
+  if (isPaperFace(shown.sections[face].faces, shown.pattern))
     return paper;
   float filled = capTint(shown.style.gamma.value());
   const auto colour = [&] { return glm::mix(paper, rgb(shown.style.colour), filled); };
@@ -96,6 +83,18 @@ glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::si
 }
 
 }  // namespace
+
+float faceSteps(double area, const glm::vec3& sceneSize) {
+  const double whole = double(glm::dot(sceneSize, sceneSize));
+  const double halvings = std::log2(whole / std::max(area, 1e-9 * whole));
+  return float(std::round(16.0 * std::max(halvings, 0.0)));
+}
+
+bool isPaperFace(model::CutFaces faces, model::CutPattern pattern) {
+  if (faces == model::CutFaces::tint)
+    return pattern == model::CutPattern::rim;
+  return faces == model::CutFaces::off || model::isOpenWithin(pattern);
+}
 
 float capTint(float gamma) {
   const float shaded = std::clamp(gamma - 3.0f, 0.0f, 1.0f);

@@ -28,8 +28,19 @@ inline constexpr float outlineLift = 6e-5f;
 /// front of it.
 glm::vec3 capDepth(const DrawnStructure& shown, const PictureView& view, std::size_t face);
 
+/// Returns by how many steps a face of that area lies in front of its plane, in a scene whose
+/// bounds are that large: the smaller of two faces comes first, by a step for every 4 % of area, so
+/// that a structure inside another shows on its cut face. Whoever says which of two faces of one
+/// plane is seen asks this.
+float faceSteps(double area, const glm::vec3& sceneSize);
+/// The steps by which the outlines of cut faces lie in front of all of them.
+inline constexpr float outlineSteps = 500.0f;
+
 /// Returns the share of the structure's colour in its tinted cut faces.
 float capTint(float gamma);
+/// Tells whether a face has no colour, but the paper's: where its section says so, and where the
+/// structure is a wall or rim alone, so that a tint would fill with it what is something else.
+bool isPaperFace(model::CutFaces faces, model::CutPattern pattern);
 
 /// Describes how a cut face looks; see cap.frag.glsl.
 struct CapPaint {

@@ -22,6 +22,9 @@
 const engineSides = ["anterior", "posterior", "left", "right", "superior", "inferior"];
 const engineLetters = ["A", "P", "L", "R", "S", "I"];
 const svgSpace = "http://www.w3.org/2000/svg";
+/** Steps from the middle of an edge towards its ends, alternately. @param {number} length @param {number} step */
+const outwards = (length, step) => Array.from({ length: Math.max(1, Math.floor(0.9 * length / step)) },
+  (_, k) => (k % 2 ? 1 : -1) * Math.ceil(k / 2) * step);
 /** Lengths of labels, in CSS pixels. */
 const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, edge: 10 };
 
@@ -418,7 +421,7 @@ class Engine {
     return placed;
   }
 
-  /** The sides of the body at the picture's edges, where no label stands. @param {Placed[]} placed */
+  /** The sides of the body at the picture's edges, as near to their middles as no label stands. @param {Placed[]} placed */
   edgeLetters(placed) {
     if (!this.mode.sides)
       return [];
@@ -428,12 +431,15 @@ class Engine {
     /** @type {[string, number, number][]} */
     const places = [["start", edge, middle], ["end", this.width - edge, middle],
                     ["middle", centre, edge + text / 2], ["middle", centre, this.height - edge - text / 2]];
-    return places.flatMap(([anchor, x, y], i) => {
+    return places.flatMap(([anchor, middleX, middleY], i) => {
       const reach = text * letters[i].length;
-      const covered = placed.some(({ box: [left, top, width, height] }) =>
-        left < x + reach && left + width > x - reach && top < y + text && top + height > y - text);
-      if (!letters[i] || covered)
+      const place = outwards(i < 2 ? this.height : this.width, text)
+        .map((by) => (i < 2 ? [middleX, middleY + by] : [middleX + by, middleY]))
+        .find(([x, y]) => !placed.some(({ box: [left, top, width, height] }) =>
+          left < x + reach && left + width > x - reach && top < y + text && top + height > y - text));
+      if (!letters[i] || !place)
         return [];
+      const [x, y] = place;
       return [this.shape("text", "edge-letter",
                          { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letters[i])];
     });

@@ -184,16 +184,19 @@ Status keep(render::Picture& picture, const render::ExportOrder& order, int heig
 
 /// Counts what is judged.
 struct Tally {
-  std::array<int, 5> faults{};
+  std::array<int, 6> faults{};
   int dashed = 0;
   int pictures = 0;
   double layoutMs = 0.0;
   std::ostream& out;  ///< where faults go
 };
 
-constexpr std::array<const char*, 5> faultNames{"right", "ends on another", "ends beside it",
+constexpr std::array<const char*, 6> faultNames{"right",
+                                                "ends on another",
+                                                "ends beside it",
                                                 "dashed though seen there",
-                                                "dashed though seen elsewhere"};
+                                                "dashed though seen elsewhere",
+                                                "covers what shows of it"};
 
 /// The ends of a plate's leaders, and the labels' texts.
 struct Ends {

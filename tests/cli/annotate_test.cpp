@@ -22,6 +22,7 @@ class AnnotateTest : public QObject {
   void listsWhatItMade();
   void namesInOtherLanguages();
   void namesThatAreTheSame();
+  void namesOfSeveral();
   void savedViewsGetThem();
   void removes();
   void refusals_data();
@@ -100,6 +101,23 @@ void AnnotateTest::namesThatAreTheSame() {
   const QByteArray listed = list();
   QVERIFY2(listed.contains("\tureter\tureter\tde=Harnleiter\tla=ureter\t"), listed);
   QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
+}
+
+/// A name that several structures have means none of them.
+void AnnotateTest::namesOfSeveral() {
+  const QString twice = path("twice.sline");
+  QCOMPARE(runSline({"import", scene(), path("sample"), "-o", twice}).code, 0);
+  const auto label = [&twice](const QStringList& on) {
+    return runSline(QStringList{"annotate", twice} + on);
+  };
+  for (const QStringList& on :
+       {QStringList{"--on", "kidney"},
+        QStringList{"--on", "renal vein", "--to", "kidney", "--kind", "distance"}}) {
+    const Finished refused = label(on);
+    QVERIFY(refused.code != 0);
+    QVERIFY2(refused.err.contains("\"kidney\" names 2 structures"), refused.err);
+  }
+  QCOMPARE(runSline({"annotate", twice, "--list"}).out, QByteArray());
 }
 
 // A saved view that left out no label shows those made later for all; what is made for one view no

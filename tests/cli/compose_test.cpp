@@ -26,7 +26,10 @@ QByteArray bytesOf(const QString& path) {
 
 model::Scene twoBalls() {
   model::Scene scene;
-  scene.append({.name = "liver & <b>\"", .mesh = sphere(30.0f, 3)});
+  model::Node liver{.name = "liver & <b>\"", .mesh = sphere(30.0f, 3)};
+  liver.provenance.credit.source = "Atlas of Balls";
+  liver.provenance.credit.licence = "CC BY 4.0";
+  scene.append(liver);
   scene.append({.name = "QZXHIDDEN",
                 .style = {.visible = false},
                 .mesh = moved(*sphere(10.0f, 2), 1.0f, {60, 0, 0})});
@@ -108,6 +111,41 @@ class ComposeTest : public QObject {
     QVERIFY(bytesOf(path("c.svg")).contains("CC BY 4.0"));
   }
 
+  /// Whose work the surfaces are and what the figure shows are said where it is asked for.
+  void sourcesAndDescription() {
+    writeFile(path("figure.json"), m_figure);
+    Finished finished = runSline({"compose", path("figure.json"), "-o", path("c.svg"), "--credits",
+                                  "line", "--alt", "Two livers and a part"});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    const QByteArray svg = bytesOf(path("c.svg"));
+    QVERIFY(svg.count("Atlas of Balls, CC BY 4.0") >= 2);  // on the page and in its credit
+    QVERIFY(svg.contains("Two livers and a part"));
+    finished = runSline({"compose", path("figure.json"), "-o", path("c.svg")});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    QVERIFY(!bytesOf(path("c.svg")).contains("Atlas of Balls"));
+  }
+
+  /// TIFF has the page's pixels; black and white is ink or paper alone, in single bits if wanted.
+  void printsLineArt() {
+    QByteArray figure = m_figure;
+    figure.replace("\"legend\": \"all\"", "\"black_and_white\": true, \"same_scale\": true");
+    writeFile(path("ink.json"), figure);
+    const Finished finished = runSline({"compose", path("ink.json"), "-o", path("ink.png"), "-o",
+                                        path("ink.tiff"), "--dpi", "100", "--bits", "1"});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    const QImage ink(path("ink.png"));
+    QCOMPARE(ink.format(), QImage::Format_Mono);
+    QCOMPARE(ink.width(), 685);
+    const QByteArray tiff = bytesOf(path("ink.tiff"));
+    QVERIFY(tiff.startsWith(QByteArray("II*\0", 4)) && tiff.size() < 685 * 520 / 8 + 20'000);
+    writeFile(path("figure.json"), m_figure);
+    const Finished refused =
+        runSline({"compose", path("figure.json"), "-o", path("no.png"), "--bits", "1"});
+    QCOMPARE(refused.code, 2);
+    QVERIFY2(refused.err.contains("black_and_white"), refused.err.constData());
+    QVERIFY(!QFile::exists(path("no.png")));
+  }
+
   void refuses_data() {
     QTest::addColumn<QByteArray>("figure");
     QTest::addColumn<QString>("target");
@@ -125,8 +163,8 @@ class ComposeTest : public QObject {
         "panel a: \"1 cm at mid-depth\" is set in 4 pt, and letters smaller than 6 pt are refused");
     row("thin lines", with("\"pen\": 0.15, \"thin_lines\": \"refused\""), "r.svg", 1,
         "lines thinner than 0.25 pt are refused");
-    row("kind of file", m_figure, "r.gif", 2, "a figure is a png, pdf or svg file");
-    row("over its scene", m_figure, "a.sline", 2, "png, pdf or svg");
+    row("kind of file", m_figure, "r.gif", 2, "a figure is a pdf, svg, png or tiff file");
+    row("over its scene", m_figure, "a.sline", 2, "pdf, svg, png or tiff");
     row("unknown key", with("\"colour\": 1"), "r.svg", 1, "no key is called \"colour\"");
     QByteArray elsewhere = m_figure;
     row("scene elsewhere", elsewhere.replace("a.sline", "../a.sline"), "r.svg", 1,

@@ -47,6 +47,8 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("render's help") << "render|--help" << 0 << "--camera|--only|anterior|#rrggbb";
   QTest::newRow("lines' help") << "lines|--help" << 0 << "theta_c|--kinds";
 
+  QTest::newRow("an option for a value")
+      << "render|SAMPLE|--labels|-o|DIR/a.png" << 2 << "--labels needs a value|-o follows";
   QTest::newRow("no command") << "" << 2 << "";
   QTest::newRow("unknown command") << "draw" << 2 << "";
   QTest::newRow("unknown flag") << render + "|--gama|2" << 2 << "--gama";

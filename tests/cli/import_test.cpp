@@ -63,6 +63,7 @@ class ImportTest : public QObject {
   void diskTroubles();
   void fewerTriangles();
   void patientsStayApart();
+  void savedScenesKnowTheirPatient();
   void unitsAreAskedAbout();
 
  private:
@@ -97,6 +98,33 @@ void ImportTest::patientsStayApart() {
     QVERIFY(!arguments.contains(out) || !QFile::exists(out));
     QCOMPARE(runSline(arguments + QStringList{"--together"}).code, 0);
   }
+}
+
+void ImportTest::savedScenesKnowTheirPatient() {
+  const auto mask = [](const char* study) {
+    QByteArray text =
+        "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 6 6 6\n"
+        "space directions: (9,0,0) (0,9,0) (0,0,9)\nspace origin: (0,0,0)\nencoding: ascii\n";
+    text += QByteArray("0020|000d:=") + study + "\n\n";
+    for (int i = 0; i < 216; ++i) {
+      const auto inside = [](int k) { return k > 0 && k < 5; };
+      text += inside(i % 6) && inside(i / 6 % 6) && inside(i / 36) ? "1 " : "0 ";
+    }
+    return text;
+  };
+  writeFile(at("first.nrrd"), mask("1.2.3"));
+  writeFile(at("same.nrrd"), mask("1.2.3"));
+  writeFile(at("other.nrrd"), mask("1.2.9"));
+  const QString saved = at("first.sline");
+  QCOMPARE(runSline({"import", at("first.nrrd"), "-o", saved}).code, 0);
+  const QStringList out{"-o", at("both.sline")};
+  QCOMPARE(runSline(QStringList{"import", saved, at("same.nrrd")} + out).code, 0);
+  const QStringList other = QStringList{"import", saved, at("other.nrrd")} + out;
+  const Finished refused = runSline(other);
+  QCOMPARE(refused.code, 1);
+  for (const char* part : {"first.sline", "other.nrrd", "--together"})
+    QVERIFY2(refused.err.contains(part), refused.err.constData());
+  QCOMPARE(runSline(other + QStringList{"--together"}).code, 0);
 }
 
 void ImportTest::unitsAreAskedAbout() {

@@ -6,7 +6,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "model/edit/look.h"
 #include "model/edit/views.h"
+#include "model/look/opening_look.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/scene_file/sample_scene.h"
@@ -32,6 +34,7 @@ class ViewCommandTest : public QObject {
   void theSceneStaysAsItLooks();
   void labels();
   void updated();
+  void sceneKeepsItsLook();
   void words();
   void renamed_data();
   void renamed();
@@ -109,7 +112,7 @@ void ViewCommandTest::whatTheFlagsSay() {
 }
 
 void ViewCommandTest::theSceneStaysAsItLooks() {
-  const model::Scene before = scene();
+  const model::Scene before = model::dressed(scene());
   QCOMPARE(view({"--add", "V", "--gamma", "5", "--only", "kidney", "--section", "axial"}).code, 0);
   const model::Scene after = scene();
   QCOMPARE(after.views().size(), std::size_t(1));
@@ -153,6 +156,30 @@ void ViewCommandTest::updated() {
   QCOMPARE(names(), QString("A|B"));
   QVERIFY(scene().views().front().camera.eye.x < -50.0f);
   QCOMPARE(view({"--update", "none"}).code, 2);
+  // What is not said stays: camera, focus, sections and labels.
+  QCOMPARE(view({"--update", "a", "--section", "axial", "--gamma", "kidney=4"}).code, 0);
+  const model::View before = scene().views().front();
+  QVERIFY(before.camera.eye.x < -50.0f && before.sections && before.sections->size() == 1);
+  QCOMPARE(view({"--update", "a", "--labels", "none"}).code, 0);
+  model::View after = scene().views().front();
+  QVERIFY(after.annotations && after.annotations->empty());
+  QVERIFY(after.camera == before.camera && after.sections == before.sections &&
+          after.looks == before.looks && after.focus == before.focus);
+  QCOMPARE(view({"--update", "a", "--from", "superior"}).code, 0);
+  after = scene().views().front();
+  QVERIFY(!(after.camera == before.camera) && after.sections == before.sections);
+}
+
+/// A scene that nobody has styled looks the same after a view was added, and so does the view.
+void ViewCommandTest::sceneKeepsItsLook() {
+  const model::Scene plain = scene();
+  QVERIFY(model::hasNoLook(plain));
+  QCOMPARE(view({"--add", "V", "--from", "left"}).code, 0);
+  const model::Scene with = scene();
+  QVERIFY(with.nodes() == model::dressed(plain).nodes());
+  QVERIFY(
+      model::withViewApplied(with, with.views().front()).scene.resolve(with.nodes().back().id) ==
+      with.resolve(with.nodes().back().id));
 }
 
 /// Words come with a view or later, language by language; what is said again stands, what is said

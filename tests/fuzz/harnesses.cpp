@@ -219,7 +219,8 @@ std::string journal(std::string_view bytes) {
   model::Bulk bulk;
   for (const std::string& key : model::keysCalledFor(*content.now().text))
     bulk[key] = mesh;
-  const Result<model::Scene> scene = model::sceneOfState(*content.now().text, bulk);
+  std::vector<model::JsonRefusal> leftOut;
+  const Result<model::Scene> scene = model::sceneOfState(*content.now().text, bulk, leftOut);
   if (!scene.ok() && scene.error().reason.empty())
     return "refused without a reason";
   model::JournalWriter writer;

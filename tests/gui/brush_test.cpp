@@ -65,7 +65,8 @@ class BrushTest : public QObject {
   void theStrokeIsSeenWhileItIsPainted();
   void escapeTakesAStrokeBack();
   void controlErases();
-  void besideItTheSceneTurns();
+  void besideItNothingTurns();
+  void aDragThatComesToItPaints();
   void clicksChooseOthers();
   void keysAndSlidersSetTheBrush();
   void softBrushesPaintLessAtTheirRims();
@@ -158,13 +159,40 @@ void BrushTest::controlErases() {
   QVERIFY(f.painted() > 0);
 }
 
-void BrushTest::besideItTheSceneTurns() {
+void BrushTest::besideItNothingTurns() {
   BrushFixture f;
   const model::Camera camera = f.viewport().camera();
   const int steps = f.steps();
-  f.stroke({12, 60}, {60, 90});
+  for (const Qt::KeyboardModifiers keys : {Qt::NoModifier, Qt::ControlModifier})
+    f.stroke({12, 60}, {60, 90}, keys);
   QCOMPARE(f.steps(), steps);
+  QVERIFY(f.viewport().camera() == camera);
+  QVERIFY(f.session.selection() == widgets::NodeIds{f.id});
+  // Nor where there is nothing to paint on.
+  f.session.select({});
+  f.stroke(f.middle(), f.middle() + QPointF(40, 0));
+  QVERIFY(f.viewport().camera() == camera);
+  // Put away, it leaves the mouse to the camera.
+  f.tool().setActive(false);
+  f.stroke({12, 60}, {60, 90});
   QVERIFY(!(f.viewport().camera() == camera));
+}
+
+void BrushTest::aDragThatComesToItPaints() {
+  BrushFixture f;
+  const model::Camera camera = f.viewport().camera();
+  const int steps = f.steps();
+  sendMouse(f.viewport(), QEvent::MouseButtonPress, {12, 60});
+  QCOMPARE(f.painted(), std::size_t(0));
+  for (int i = 0; i < 4; ++i) {
+    sendMouse(f.viewport(), QEvent::MouseMove, f.middle() + QPointF(3.0 * i, 0.0));
+    QVERIFY(f.settled());
+  }
+  QVERIFY(f.painted() > 0);
+  sendMouse(f.viewport(), QEvent::MouseButtonRelease, f.middle() + QPointF(12.0, 0.0));
+  QCOMPARE(f.steps(), steps + 1);
+  QCOMPARE(f.session.history().undoText(), QString("Paint on bladder"));
+  QVERIFY(f.viewport().camera() == camera);
 }
 
 void BrushTest::clicksChooseOthers() {

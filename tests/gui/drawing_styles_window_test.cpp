@@ -2,7 +2,9 @@
 // Tests drawing styles in the window: small pictures of the scene, and what a choice does.
 #include <QToolButton>
 #include <QtTest>
+#include <array>
 
+#include "model/edit/look.h"
 #include "model/look/drawing_styles.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/support/suite.h"
@@ -100,6 +102,64 @@ class DrawingStylesWindowTest : public QObject {
     f.window.preferences().set("picture/background", "white");
     press(Qt::ControlModifier);
     QCOMPARE(f.viewport().background(), render::Background::white);
+  }
+  /// Styles of few colours give colours back to the next one, also where something else was done in
+  /// between, where steps were taken back, and where the scene was opened in one.
+  void coloursComeBack() {
+    DrawingFixture f;
+    f.unfoldDrawings();
+    const auto colour = [&f](const char* name) {
+      return f.session.scene().resolve(f.named(name)).colour;
+    };
+    const auto hide = [&f](const char* name) {
+      const model::NodeId id = f.named(name);
+      return f.session.apply(
+          "Hide", model::withLook(f.session.scene(), std::array{id}, {.visible = false}));
+    };
+    const Colour white{255, 255, 255};
+    const Colour bladder = colour("bladder");
+    const Colour kidney = colour("left kidney");
+    QVERIFY(bladder != white && kidney != white);
+    QVERIFY(f.choose("woodcut"));
+    QVERIFY(colour("bladder") == white && colour("left kidney") == white);
+    QVERIFY(hide("aorta"));
+    QVERIFY(f.choose("pencil"));
+    QCOMPARE(colour("bladder"), bladder);
+    QCOMPARE(colour("left kidney"), kidney);
+    QVERIFY(f.choose("lecture-hall"));
+    QVERIFY(colour("bladder") != bladder || colour("left kidney") != kidney);
+    const Colour own{12, 200, 34};
+    const model::NodeId id = f.named("bladder");
+    QVERIFY(f.session.apply("Colour",
+                            model::withLook(f.session.scene(), std::array{id}, {.colour = own})));
+    f.control<QAction>("plate").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(colour("left kidney"), kidney, minute);
+    QCOMPARE(colour("bladder"), own);  // by hand
+    while (f.session.history().undoText() != "Woodcut")
+      f.session.undo();
+    QCOMPARE(colour("bladder"), white);
+    QVERIFY(hide("left kidney"));
+    QVERIFY(f.choose("even-pen"));
+    QCOMPARE(colour("bladder"), bladder);
+  }
+  void coloursComeBackFromTheOpening() {
+    DrawingFixture plain;
+    const Colour bladder = plain.session.scene().resolve(plain.named("bladder")).colour;
+    plain.window.close();
+    WindowFixture f;
+    f.window.preferences().set("picture/openingLook", "woodcut");
+    const QTemporaryDir body;
+    writeBody(body.path());
+    const auto colour = [&f] {
+      return f.session.scene().resolve(f.session.scene().named("bladder").front()).colour;
+    };
+    QVERIFY(f.drop(body.path()));
+    QTRY_COMPARE_WITH_TIMEOUT(f.session.history().count(), 1, minute);
+    QVERIFY(f.settled());
+    QVERIFY(colour() == Colour({255, 255, 255}));
+    f.control<QAction>("plate").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(f.session.history().count(), 2, minute);
+    QCOMPARE(colour(), bladder);
   }
   void byKeys() {
     DrawingFixture f;

@@ -2,20 +2,25 @@
 // Tests composing a figure by hand: panels, an inset by dragging, saving, exporting, and that
 // nothing is lost on closing.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
 
 #include "model/edit/views.h"
 #include "model/figure/figure_file.h"
+#include "model/figure/figure_keys.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/figure/figure_options.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -146,6 +151,164 @@ class FigureWindowTest : public QObject {
           "panelCamera",     "panelColumns",       "panelRows",           "panelLabels",
           "panelScaleBar"})
       QVERIFY2(!part<QWidget>(dialog, name).toolTip().isEmpty(), name);
+  }
+
+  /// The window can set what the figure's file can say, except what is laid out by hand, and has
+  /// the command line's options with the same defaults.
+  void asTheCommandLine() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    auto& list = part<QListWidget>(dialog, "figurePanels");
+    list.setCurrentRow(1);
+    auto& camera = part<QComboBox>(dialog, "panelCamera");
+    camera.setCurrentIndex(camera.findData("like a"));
+    QVERIFY(desk.drawn(dialog));
+    const QStringList byHand{"figure sline_figure", "figure scene", "figure panels", "figure rows",
+                             "panel scene",         "panel inset",  "panel at",      "camera fit",
+                             "camera like",         "inset of",     "inset part",    "inset inside",
+                             "inset lines"};
+    for (const model::FigureKeyNote& key : model::figureKeyNotes()) {
+      const QString object = QLatin1String(key.object);
+      if (byHand.contains(object + ' ' + QLatin1String(key.id)))
+        continue;
+      QString name = object == "figure" ? "figure" : "panel";
+      for (QString word : QString::fromLatin1(key.id).split('_'))
+        name += word.replace(0, 1, word.front().toUpper());
+      QVERIFY2(dialog.findChild<QWidget*>(name), qPrintable(name));
+    }
+    const render::ExportOrder usual = render::usualFigureOrder();
+    for (const render::ExportOption* option : render::figureOptions()) {
+      const QString name = QStringLiteral("export-") + QLatin1String(option->id);
+      auto& control = part<QWidget>(dialog, qPrintable(name));
+      const render::OptionValue value = option->field.read(usual);
+      const QString text = QString::fromStdString(render::optionText(*option, value));
+      if (auto* box = qobject_cast<QComboBox*>(&control))
+        QCOMPARE(box->currentData().toString(), text);
+      if (auto* number = qobject_cast<QDoubleSpinBox*>(&control))
+        QCOMPARE(number->value(), text.toDouble());
+    }
+    QCOMPARE(part<QDoubleSpinBox>(dialog, "export-dpi").value(), 600.0);
+  }
+
+  /// One scale bar says the scale that all panels have, and a panel may have its own.
+  void sameScale() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    part<QCheckBox>(dialog, "figureSameScale").click();
+    QVERIFY(dialog.figure().sameScale);
+    QVERIFY(desk.drawn(dialog));
+    part<QListWidget>(dialog, "figurePanels").setCurrentRow(1);
+    auto& bar = part<QCheckBox>(dialog, "panelScaleBar");
+    QVERIFY(!bar.isChecked());
+    bar.click();
+    QCOMPARE(dialog.figure().panels[1].scaleBar, std::optional(true));
+  }
+
+  /// TIFF at the chosen resolution, in single bits where the figure is black and white.
+  void printsLineArt() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    part<QDoubleSpinBox>(dialog, "export-dpi").setValue(100.0);
+    auto& depth = part<QComboBox>(dialog, "export-bits");
+    depth.setCurrentIndex(depth.findData("1"));
+    QTRY_VERIFY_WITH_TIMEOUT(problem(dialog).contains("1 bit"), 60'000);
+    QVERIFY(!part<QPushButton>(dialog, "figureExport").isEnabled());
+    part<QCheckBox>(dialog, "figureBlackAndWhite").click();
+    QVERIFY(desk.drawn(dialog));
+    QTRY_VERIFY(part<QPushButton>(dialog, "figureExport").isEnabled());
+    const QString picture = desk.folder.filePath("ink.png");
+    dialog.exportFile(picture);
+    QTRY_VERIFY_WITH_TIMEOUT(problem(dialog).contains("ink.png"), 60'000);
+    QCOMPARE(QImage(picture).format(), QImage::Format_Mono);
+    QCOMPARE(QImage(picture).width(), 685);
+    const QString tiff = desk.folder.filePath("ink.tiff");
+    dialog.exportFile(tiff);
+    QTRY_VERIFY_WITH_TIMEOUT(problem(dialog).contains("ink.tiff"), 60'000);
+    QVERIFY2(QFile::exists(tiff), qPrintable(problem(dialog)));
+  }
+
+  /// Writing shows how far it is; Cancel, and closing, leave what was there before.
+  void writingCanBeStopped_data() {
+    QTest::addColumn<QString>("button");
+    QTest::newRow("cancel") << "figureCancel";
+    QTest::newRow("close") << "figureClose";
+  }
+  void writingCanBeStopped() {
+    QFETCH(QString, button);
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    part<QDoubleSpinBox>(dialog, "export-dpi").setValue(2600.0);
+    const QString target = desk.folder.filePath("large.png");
+    const QStringList before = QDir(desk.folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
+    auto& bar = part<QProgressBar>(dialog, "figureProgress");
+    QVERIFY(!bar.isVisible());
+    dialog.exportFile(target);
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && bar.value() > 500, 60'000);
+    part<QPushButton>(dialog, qPrintable(button)).click();
+    QTRY_VERIFY_WITH_TIMEOUT(problem(dialog).contains("Stopped"), 60'000);
+    QVERIFY(!bar.isVisible() && dialog.isVisible());
+    QCOMPARE(QDir(desk.folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+    QVERIFY(part<QPushButton>(dialog, "figureExport").isEnabled());
+  }
+
+  /// A page that is not the figure as it is says so until it is drawn anew, or for as long as it
+  /// cannot be drawn; it follows its scenes, the window's and those of other files.
+  void staleIsSaid() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    auto& preview = part<FigurePreview>(dialog, "figurePreview");
+    QVERIFY(preview.stale().isEmpty());
+    part<QDoubleSpinBox>(dialog, "figureHeightMm").setValue(90.0);
+    QVERIFY(!preview.stale().isEmpty() && !dialog.upToDate());
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY(preview.stale().isEmpty());
+    // Panels of 2 mm do not exist: what is shown stays, and is said to be old.
+    const QImage shown = preview.picture();
+    part<QDoubleSpinBox>(dialog, "figureHeightMm").setValue(20.0);
+    part<QDoubleSpinBox>(dialog, "figureColumns").setValue(12.0);
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY(!problem(dialog).isEmpty());
+    QCOMPARE(preview.picture(), shown);
+    QVERIFY(!preview.stale().isEmpty());
+    part<QDoubleSpinBox>(dialog, "figureHeightMm").setValue(90.0);
+    part<QDoubleSpinBox>(dialog, "figureColumns").setValue(2.0);
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY(preview.stale().isEmpty());
+    const QImage before = preview.picture();
+    model::Scene scene = desk.session.scene();
+    std::vector<model::Node> nodes = scene.nodes();
+    nodes.back().style.visible = false;
+    scene.setNodes(nodes);
+    QVERIFY(desk.session.apply("hide", {scene, true}));
+    QVERIFY(!dialog.upToDate() && !preview.stale().isEmpty());
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY(preview.picture() != before);
+  }
+
+  /// A panel follows the file of its scene, too, if the window has another one open.
+  void followsOtherFiles() {
+    FigureDesktop desk;
+    const std::string other = desk.folder.filePath("other.sline").toStdString();
+    QVERIFY(model::writeSceneFile(other, {.scene = desk.session.scene()}).ok());
+    const QString file = desk.folder.filePath("two.json");
+    QFile figure(file);
+    QVERIFY(figure.open(QIODevice::WriteOnly));
+    figure.write(R"({"sline_figure": 1, "panels": [{"scene": "rings.sline", "view": "One"},
+                    {"scene": "other.sline", "view": "One"}]})");
+    figure.close();
+    FigureDialog& dialog = desk.open();
+    dialog.openFile(file);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.figure().panels[1].scene == "other.sline", 60'000);
+    QVERIFY(desk.drawn(dialog));
+    auto& preview = part<FigurePreview>(dialog, "figurePreview");
+    const QImage before = preview.picture();
+    model::Scene scene = desk.session.scene();
+    std::vector<model::Node> nodes = scene.nodes();
+    nodes.back().style.visible = false;
+    scene.setNodes(nodes);
+    QVERIFY(model::writeSceneFile(other, {.scene = scene}).ok());
+    QTRY_VERIFY_WITH_TIMEOUT(!preview.stale().isEmpty(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(preview.stale().isEmpty() && preview.picture() != before, 60'000);
   }
 
   void savedOpenedExported() {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that the window asks where files are of two patients, or of another size than their names
 // say, and does what is answered.
+#include <QAction>
+#include <QDir>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QtTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "model/edit/settled_units.h"
 #include "model/scene_file/scene_file.h"
@@ -124,6 +129,113 @@ class ImportQuestionsTest : public QObject {
       QVERIFY(desk.f.settled());
       QCOMPARE(desk.structures(), std::size_t(*answer ? 2 : 1));
     }
+  }
+
+  /// A scene that was saved knows whose it is, and the files need no longer be there.
+  void savedScenesKnowTheirPatient() {
+    const QTemporaryDir folder;
+    writeText(folder.filePath("first.nrrd"), maskOf("1\n0020|000d:=1.2.3"));
+    writeText(folder.filePath("same.nrrd"), maskOf("1\n0020|000d:=1.2.3"));
+    writeText(folder.filePath("other.nrrd"), maskOf("2\n0020|000d:=1.2.9"));
+    const QString saved = folder.filePath("first.sline");
+    {
+      Desk desk;
+      QVERIFY(desk.f.drop(folder.filePath("first.nrrd")) && desk.f.settled());
+      QVERIFY(model::writeSceneFile(saved.toStdString(), {desk.f.session.scene(), {}, {}, 0}).ok());
+    }
+    QVERIFY(QFile::remove(folder.filePath("first.nrrd")));
+    for (const bool other : {false, true}) {
+      Desk desk;
+      QVERIFY(desk.f.drop(saved) && desk.f.settled());
+      QVERIFY(desk.f.drop(folder.filePath(other ? "other.nrrd" : "same.nrrd"), Qt::ShiftModifier));
+      QVERIFY(desk.planned());
+      desk.click("addButton");
+      if (other) {
+        QVERIFY(desk.asks());
+        QVERIFY2(desk.box()->informativeText().contains("1: what is open"),
+                 qPrintable(desk.box()->informativeText()));
+        desk.click("patientsTogether");
+      }
+      QVERIFY(desk.f.settled());
+      QCOMPARE(desk.structures(), std::size_t(2));
+    }
+  }
+
+  /// What is added goes where it fits in with what is open.
+  void whatIsAddedFitsIn() {
+    const QTemporaryDir folder;
+    QDir(folder.path()).mkdir("body");
+    for (const auto& [name, place] :
+         {std::pair("liver", glm::vec3(-70, -280, 10)), std::pair("spine", glm::vec3(0, -190, -5)),
+          std::pair("spleen", glm::vec3(80, -230, 15)),
+          std::pair("urinary bladder", glm::vec3(0, -270, -140))})
+      writeMesh(folder.filePath(QString("body/%1.ply").arg(name)), *octahedron(place, 30.0f),
+                model::Frame::lps);
+    writeMesh(folder.filePath("growth.ply"), *octahedron({-30, 260, -20}, 12.0f));
+    Desk desk;
+    QVERIFY(desk.f.drop(folder.filePath("body")) && desk.f.settled());
+    QVERIFY(desk.f.drop(folder.filePath("growth.ply"), Qt::ShiftModifier));
+    QVERIFY(desk.planned());
+    desk.click("addButton");
+    QVERIFY(desk.f.settled());
+    const model::Node& growth = named(desk.f.session.scene(), "growth");
+    QCOMPARE(growth.provenance.frame, std::string("RAS"));
+    QVERIFY(growth.provenance.evidence.isSure());
+    QCOMPARE(growth.mesh->bounds().centre(), glm::vec3(30, -260, -20));
+    QTRY_VERIFY(desk.f.control<QLabel>("messageText").text().contains("read as RAS"));
+  }
+
+  /// A scan without a segmentation brings up the dialog where structures are made of it.
+  void scansLeadToTheirTab() {
+    const QTemporaryDir folder;
+    const WrittenVolume scan = sampled({16, 16, 16}, glm::dmat4(1.0), [](const glm::dvec3& p) {
+      const double away = glm::length(p - glm::dvec3(8.0));
+      return int(-1000.0 + 90.0 * std::max(0.0, 14.0 - away) + p.x);
+    });
+    writeText(folder.filePath("scan.nrrd"), nrrdFile(scan, "LPS", "raw", Number::int16));
+    Desk desk;
+    QVERIFY(desk.f.drop(folder.filePath("scan.nrrd")));
+    QVERIFY(desk.planned());
+    auto* tabs = desk.f.window.findChild<QTabWidget*>(QStringLiteral("importTabs"));
+    QVERIFY(tabs && tabs->isVisible());
+    QCOMPARE(tabs->tabText(tabs->currentIndex()), QString("Scan"));
+    QVERIFY(!desk.f.control<QWidget>("messageBar").isVisible());
+  }
+
+  /// Another unit is not another import: the rest stays as it was chosen.
+  void unitKeepsTheRest() {
+    const QTemporaryDir folder;
+    writeMesh(folder.filePath("left kidney.stl"), *octahedron({}, 5.0f));
+    writeMesh(folder.filePath("spleen.stl"), *octahedron({20, 0, 0}, 5.0f));
+    writeMesh(folder.filePath("Qzxdoe.stl"), *octahedron({40, 0, 0}, 5.0f));
+    Desk desk;
+    QVERIFY(desk.f.drop(folder.path(), Qt::ShiftModifier));
+    QVERIFY(desk.planned());
+    auto& draft = desk.f.window.findChild<widgets::ImportDialog*>()->draft();
+    model::ImportOptions options = draft.plan().options;
+    options.keepFileNames = true;
+    options.smoothing.mode = model::Smoothing::Mode::off;
+    draft.setOptions(options);
+    QVERIFY(desk.planned());
+    draft.choose({named(draft.plan().scene, "spleen").id},
+                 [](model::StructureChoice& choice) { choice.include = false; });
+    QVERIFY(desk.planned());
+    desk.click("importButton");
+    QVERIFY(desk.f.settled());
+    QCOMPARE(desk.structures(), std::size_t(2));
+    desk.click("messageRemedy");
+    QVERIFY(desk.f.settled());
+    QCOMPARE(desk.structures(), std::size_t(2));
+    const model::Node& kidney = named(desk.f.session.scene(), "left kidney");
+    QCOMPARE(kidney.mesh->bounds().size().x, 100.0f);
+    QCOMPARE(kidney.mesh->vertexCount(), std::size_t(6));
+    QCOMPARE(named(desk.f.session.scene(), "Qzxdoe").name, std::string("Qzxdoe"));
+    // And so does the dialog that comes again.
+    desk.f.control<QAction>("importAgain").trigger();
+    QVERIFY(desk.planned());
+    auto& again = desk.f.window.findChild<widgets::ImportDialog*>()->draft();
+    QVERIFY(again.plan().options.keepFileNames);
+    QVERIFY(!again.plan().choiceOf(named(again.plan().scene, "spleen").id).include);
   }
 
   void unitIsOffered() {

@@ -24,7 +24,10 @@ using Blank = widgets::PresentationBoard::Blank;
 struct Presented : Views {
   model::Scene before;
 
-  Presented() {
+  /// `spot`: the left ball has another label on its front, which is hidden from behind.
+  explicit Presented(bool spot = false) {
+    if (spot)
+      session.apply(QStringLiteral("label"), model::withAnnotation(scene(), frontSpot()));
     for (const model::NodeId id : {left, right}) {
       model::Annotation label{.text = scene().find(id)->name};
       label.anchors = {model::SurfacePoint{id, 0, {0.3f, 0.3f}}};
@@ -41,6 +44,22 @@ struct Presented : Views {
     before = presentedFrom(0);
   }
   ~Presented() { window.close(); }
+  model::Annotation frontSpot() {
+    const model::Mesh& mesh = *scene().find(left)->mesh;
+    std::uint32_t front = 0;
+    const auto depth = [&mesh](std::uint32_t triangle) {
+      float y = 0.0f;
+      for (const std::uint32_t corner : mesh.triangles()[triangle])
+        y += mesh.positions()[corner].y;
+      return y;
+    };
+    for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i)
+      if (depth(i) < depth(front))
+        front = i;
+    model::Annotation label{.text = "spot"};
+    label.anchors = {model::SurfacePoint{left, front, {0.3f, 0.3f}}};
+    return label;
+  }
   void key(Qt::Key key, Qt::KeyboardModifiers with = {}) {
     QTest::keyClick(&viewport(), key, with);
   }
@@ -81,6 +100,7 @@ class PresentingTest : public QObject {
   void notes();
   void oneByOne();
   void quiz();
+  void quizAsksForWhatItsViewShows();
   void quizBesides();
   void placesOnScreens();
   void twoScreens();
@@ -298,7 +318,7 @@ void PresentingTest::quiz() {
   Presented f;
   for (int run = 0; run < 50; ++run) {
     f.key(Qt::Key_Q);
-    QCOMPARE(f.labels(), std::size_t(0));
+    QTRY_COMPARE(f.labels(), std::size_t(0));
     QVERIFY(!f.text().isVisible());
     QSet<QString> asked;
     int right = 0;
@@ -329,10 +349,43 @@ void PresentingTest::quiz() {
   }
 }
 
+/// What one sees decides what is asked for, in the view at hand: its picture may come after the
+/// key.
+void PresentingTest::quizAsksForWhatItsViewShows() {
+  Presented f(true);
+  f.key(Qt::Key_Q);
+  QTRY_VERIFY2(f.presented().startsWith("1 / 3 "), qPrintable(f.presented()));
+  f.key(Qt::Key_Escape);
+  for (int run = 0; run < 3; ++run) {
+    QVERIFY(f.settled());
+    f.key(run % 2 == 0 ? Qt::Key_Right : Qt::Key_Left);
+    f.key(Qt::Key_Q);
+    const QString wanted = run % 2 == 0 ? "1 / 2   Point at" : "1 / 3   Point at";
+    QTRY_VERIFY2(f.presented().startsWith(wanted), qPrintable(f.presented()));
+    QCOMPARE(f.labels(), std::size_t(0));
+    f.key(Qt::Key_Escape);
+  }
+  // So it is where labels come one by one, and none is there yet.
+  QVERIFY(f.settled());
+  f.key(Qt::Key_R);
+  QVERIFY(f.settled());
+  f.key(Qt::Key_Q);
+  QTRY_VERIFY2(f.presented().startsWith("1 / 2   Point at"), qPrintable(f.presented()));
+  f.key(Qt::Key_Escape);
+  QCOMPARE(f.labels(), std::size_t(0));
+  // A second press, or another key, takes it back.
+  f.key(Qt::Key_Right);
+  f.key(Qt::Key_Q);
+  f.key(Qt::Key_Q);
+  QVERIFY(f.settled());
+  QVERIFY2(f.presented().startsWith("3 / 3   View 3"), qPrintable(f.presented()));
+}
+
 /// A click beside the anatomy is no answer, a drag turns the scene, and Esc ends the quiz alone.
 void PresentingTest::quizBesides() {
   Presented f;
   f.key(Qt::Key_Q);
+  QTRY_VERIFY(f.presented().contains("Point at"));
   const QString question = f.presented();
   QTest::mouseClick(&f.viewport(), Qt::LeftButton, {}, {4, 4});
   const model::Camera camera = f.viewport().camera();
@@ -343,6 +396,7 @@ void PresentingTest::quizBesides() {
   f.key(Qt::Key_Escape);
   QCOMPARE(f.presented(), QString("1 / 3   The <b>balls</b>"));
   f.key(Qt::Key_Q);
+  QTRY_VERIFY(f.presented().contains("Point at"));
   f.key(Qt::Key_2);
   f.key(Qt::Key_Return);
   QCOMPARE(f.at(), 2);
@@ -355,7 +409,7 @@ void PresentingTest::quizBesides() {
   none.addThree();
   QTest::keyClick(&none.viewport(), Qt::Key_F5, Qt::ShiftModifier);
   QTest::keyClick(&none.viewport(), Qt::Key_Q);
-  QCOMPARE(none.presented(), QString("No label here names anything to ask for"));
+  QTRY_COMPARE(none.presented(), QString("No label here names anything to ask for"));
   QTest::keyClick(&none.viewport(), Qt::Key_Space);
   QCOMPARE(none.presented(), QString("3 / 3   View 3"));
   none.window.close();

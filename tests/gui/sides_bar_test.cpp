@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "model/scene/known_frame.h"
@@ -57,6 +58,45 @@ class SidesBarTest : public QObject {
     QVERIFY(bar.isVisible());
     QVERIFY(glm::length(centre() - glm::vec3(30, -10, -20)) < 1e-4f);
     QCOMPARE(letters(), QString("R?L?"));
+  }
+
+  /// Names tell the sides of a pair, and not where its front is.
+  void asksForTheFrontAlone() {
+    const QTemporaryDir folder;
+    writeMesh(folder.filePath("left_kidney.ply"), *octahedron({50, 40, -40}, 10));
+    writeMesh(folder.filePath("right_kidney.ply"), *octahedron({-50, 40, -40}, 10));
+    WindowFixture f;
+    QVERIFY(f.drop(folder.path()));
+    QVERIFY(f.settled());
+    QVERIFY(f.control<QFrame>("sidesBar").isVisible());
+    QVERIFY(f.control<QLabel>("sidesQuestion").text().startsWith("Front and back are not certain"));
+    QVERIFY(!f.control<QPushButton>("sidesTurnButton").isVisible());
+    f.control<QPushButton>("sidesMirrorButton").click();
+    QVERIFY(f.settled());
+    QVERIFY(!f.control<QFrame>("sidesBar").isVisible());
+    const glm::vec3 last = f.session.scene().nodes().back().mesh->bounds().centre();
+    QVERIFY(std::abs(last.y + 40.0f) < 1e-4f);
+    QVERIFY(!model::knownSides(f.session.scene()).inDoubt());
+  }
+
+  /// Sides may be certain, and a name for the other one wrong.
+  void tellsNamesOfTheOtherSide() {
+    const QTemporaryDir folder;
+    writeMesh(folder.filePath("left_kidney.ply"), *octahedron({-50, 40, -40}, 10),
+              model::Frame::lps);
+    writeMesh(folder.filePath("spleen.ply"), *octahedron({80, 20, 15}, 10), model::Frame::lps);
+    writeMesh(folder.filePath("liver.ply"), *octahedron({-70, -30, 10}, 10), model::Frame::lps);
+    writeMesh(folder.filePath("spine.ply"), *octahedron({0, 60, -5}, 10), model::Frame::lps);
+    WindowFixture f;
+    QVERIFY(f.drop(folder.path()));
+    QVERIFY(f.settled());
+    auto& bar = f.control<QFrame>("sidesBar");
+    QVERIFY(bar.isVisible());
+    const QString says = f.control<QLabel>("sidesQuestion").text();
+    QCOMPARE(says, QString("\"left kidney\" lies on the other side than its name says."));
+    QVERIFY(!f.control<QPushButton>("sidesRightButton").isVisible());
+    f.control<QToolButton>("closeSidesBar").click();
+    QVERIFY(!bar.isVisible());
   }
 
   /// What is certain asks nothing; closed by hand, the bar comes back with the next scene.

@@ -52,6 +52,70 @@ class TreeKeysTest : public QObject {
     QCOMPARE(f.session.selection(), ids(f, "left kidney"));
   }
 
+  /// H hides and never shows, where Space does both; in the list and in the picture.
+  void hHides() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    f.session.select(ids(f, "bladder,aorta"));
+    press(f, QKeySequence("H"));
+    QCOMPARE(shown(f), "left kidney,right kidney,left renal vein,skin");
+    press(f, QKeySequence("H"));
+    QCOMPARE(shown(f), "left kidney,right kidney,left renal vein,skin");
+    QCOMPARE(f.session.history().count(), 1);
+    QCOMPARE(f.session.selection(), ids(f, "bladder,aorta"));
+    press(f, QKeySequence("Space"));
+    QVERIFY(f.session.scene().resolve(id(f, "bladder")).visible);
+    f.session.select(ids(f, "skin"));
+    f.viewport().setFocus();
+    QTest::keyClick(&f.viewport(), Qt::Key_H);
+    QVERIFY(!f.session.scene().resolve(id(f, "skin")).visible);
+    f.session.select({});
+    QVERIFY(!f.control<QAction>("hide").isEnabled());
+    // The keys are listed by their own sign.
+    QTest::keyClick(&f.viewport(), Qt::Key_Question);
+    QVERIFY(f.window.findChild<QWidget*>("controlsDialog"));
+  }
+
+  void whatIsInFocusIsSelected() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    auto& select = f.control<QAction>("selectInFocus");
+    QVERIFY(!select.isEnabled());
+    f.session.select(ids(f, "left kidney,aorta"));
+    press(f, QKeySequence("F"));
+    QTRY_VERIFY_WITH_TIMEOUT(!f.session.scene().focus().targets.empty(), 60'000);
+    f.session.select(ids(f, "skin"));
+    QVERIFY(select.isEnabled());
+    select.trigger();
+    QCOMPARE(f.session.selection(), ids(f, "left kidney,aorta"));
+    f.session.undo();
+    QVERIFY(!select.isEnabled());
+  }
+
+  /// Undo in the filter takes back what was typed, and never a step of the scene.
+  void undoInTheFilterStaysThere() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    f.session.select(ids(f, "aorta"));
+    press(f, QKeySequence("Ctrl+D"));
+    const int step = f.session.history().index();
+    QCOMPARE(step, 1);
+    f.control<QAction>("find").trigger();
+    auto& filter = f.control<QLineEdit>("structureFilter");
+    QTest::keyClicks(&filter, "kid");
+    for (int i = 0; i < 5; ++i)
+      QTest::keyClick(&filter, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(filter.text(), QString());
+    QCOMPARE(f.session.history().index(), step);
+    QTest::keyClick(&filter, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(filter.text(), QString("kid"));
+    QCOMPARE(f.session.history().index(), step);
+    // In the list it is the scene's again.
+    QTest::keyClick(&filter, Qt::Key_Escape);
+    QTest::keyClick(&f.tree(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(f.session.history().index(), step - 1);
+  }
+
   void renamesInPlace_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<int>("end");

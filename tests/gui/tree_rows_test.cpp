@@ -24,6 +24,30 @@ class TreeRowsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// Names that differ in their middle alone are not shortened to the same words, and the whole
+  /// name is told where the mouse rests.
+  void alikeNamesAreToldApart() {
+    WindowFixture f;
+    const QString name("left lower lobe of the lung, %1 segmental bronchus, wall of its branch");
+    const QString names[] = {name.arg("superior"), name.arg("anterior"), name.arg("posterior")};
+    model::Scene scene = madeBody();
+    for (const QString& each : names)
+      scene.append({.name = each.toStdString(), .mesh = scene.nodes().back().mesh});
+    QVERIFY(openScene(f, scene));
+    QVERIFY(f.settled());
+    const auto inRow = [&f](const QString& of) {
+      const QRect place = f.tree().cellOf(id(f, of), StructureTreeModel::name);
+      return f.tree().viewport()->grab(place).toImage();
+    };
+    QVERIFY(f.tree().cellOf(id(f, names[0]), StructureTreeModel::name).width() <
+            f.tree().fontMetrics().horizontalAdvance(names[0]));
+    QVERIFY(inRow(names[0]) != inRow(names[1]));
+    QVERIFY(inRow(names[0]) != inRow(names[2]));
+    QVERIFY(inRow(names[1]) != inRow(names[2]));
+    const QModelIndex row = f.tree().indexOf(id(f, names[1]));
+    QVERIFY(row.data(Qt::ToolTipRole).toString().contains(names[1]));
+  }
+
   void eyesAreSweptTogether() {
     WindowFixture f;
     QVERIFY(openScene(f, madeBody()));

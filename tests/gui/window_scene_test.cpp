@@ -3,9 +3,11 @@
 // came from.
 #include <QDirIterator>
 #include <QMenu>
+#include <QToolButton>
 #include <QtTest>
 
 #include "model/edit/look.h"
+#include "model/edit/settled_units.h"
 #include "model/edit/views.h"
 #include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
@@ -115,6 +117,58 @@ class WindowSceneTest : public QObject {
     gate->pass.release(1000);
     QVERIFY(f.settled());
     QVERIFY(!plain() && f.control<QWidget>("scaleBar").isVisible());
+  }
+
+  /// What is said of an edit, of a step that was taken back, or of what has gone is said no longer.
+  void untrueMessagesGo() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    WindowFixture f;
+    QVERIFY(f.drop(body.path()));
+    QVERIFY(f.settled());
+    const auto said = [&f] { return f.control<QWidget>("messageText").isVisible(); };
+    const model::NodeId bladder = f.session.scene().named("bladder").front();
+    const auto edit = [&f, bladder](float gamma) {
+      const model::Style look{.gamma = Gamma::clamped(gamma)};
+      return f.session.apply("Γ", model::withLook(f.session.scene(), {&bladder, 1}, look));
+    };
+    // An edit that was refused.
+    for (std::size_t i = 0; i <= model::maximumSections; ++i)
+      f.control<QAction>("sectionFacing").trigger();
+    QVERIFY(said());
+    QVERIFY(f.settled());
+    QVERIFY(edit(4.0f));
+    QVERIFY(!said());
+    // What failed on the disk stays until it is closed.
+    emit f.session.failed({.file = "a.obj", .reason = "it cannot be read", .remedy = "Try"});
+    QVERIFY(edit(3.0f) && said());
+    f.control<QToolButton>("messageClose").click();
+    // A step that was taken back.
+    const std::string file = f.session.scene().find(bladder)->provenance.file;
+    writeMesh(body.path() + "/" + fileOf(body.path(), file), *sphere(7.0f, 2));
+    f.control<QAction>("reload").trigger();
+    QVERIFY(f.settled());
+    QVERIFY(said());
+    QVERIFY(edit(2.5f) && said());
+    f.session.undo();
+    QVERIFY(said());
+    f.session.undo();
+    QVERIFY(!said());
+  }
+
+  /// The question for the unit goes with what was doubted.
+  void theDoubtOfTheUnitGoes() {
+    const QTemporaryDir folder;
+    writeMesh(folder.filePath("liver.ply"), *octahedron({0, 0, 0}, 5), model::Frame::lps);
+    WindowFixture f;
+    f.session.openPaths({folder.filePath("liver.ply").toStdString()});
+    QVERIFY(f.settled());
+    QVERIFY(model::hasDoubtedUnits(f.session.scene()));
+    QVERIFY(f.control<QWidget>("messageText").isVisible());
+    f.session.select({f.session.scene().nodes().back().id});
+    f.control<QAction>("remove").trigger();
+    QVERIFY(!model::hasDoubtedUnits(f.session.scene()));
+    QVERIFY(!f.control<QWidget>("messageText").isVisible());
   }
 
   void keyLightIsOfTheScene() {

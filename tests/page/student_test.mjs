@@ -79,6 +79,7 @@ test("groups are dressed together; sides are looked at from", { skip }, async ()
     await until(() => page.locator(".from[aria-pressed='true']").allInnerTexts(), [letter]);
   }
   const letters = await page.locator(".edge-letter").evaluateAll((all) => all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
+  assert.deepEqual(letters.map(([letter]) => letter).sort(), ["I", "L", "R", "S"]);
   const middle = (await page.locator("#stage").boundingBox()).width / 2;
   for (const [letter, x] of letters) assert.ok(letter === "R" ? x < middle : letter === "L" ? x > middle : true, letter);
   await page.done();

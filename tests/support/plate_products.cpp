@@ -13,6 +13,7 @@
 #include "model/look/opening_look.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/figure/figure_plan.h"
+#include "render/export/order/ink_alone.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
@@ -152,7 +153,7 @@ class Making {
 
   static void inked(ExportOrder& order, bool ink) {
     if (ink)
-      drawInInk(order);
+      leaveInkAlone(order);
   }
 
   std::vector<PrintedPart> partsOf(const model::Scene& scene, bool ink) const {
@@ -265,7 +266,7 @@ class Proof {
           return done.error();
         if (ink && m_wishes.unruled && !plates[0].empty()) {
           ExportOrder alone = part.order;
-          alone.inColour.reset();
+          alone.labels.inColour.reset();
           m_proof.elsewhereAlone +=
               int(writtenElsewhere(plates[0][plates[1].size()], figurePlate(alone, m_tools.trees))
                       .size());
@@ -375,8 +376,8 @@ void ProductProof::add(const ProductProof& other) {
   pixelsUncut += other.pixelsUncut;
 }
 
-Result<ProductProof> proved(const Product& product, const DrawPicture& draw, bool judge,
-                            ProductTools& tools) {
+Result<ProductProof> proved(const Product& product, const DrawPicture& draw,
+                            const ProofWishes& wishes, ProductTools& tools) {
   return Proof(product, draw, wishes, tools).make();
 }
 

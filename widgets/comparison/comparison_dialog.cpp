@@ -286,7 +286,8 @@ void ComparisonDialog::chooseFile() {
   dialog->setObjectName(QStringLiteral("comparisonFileDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilters({tr("PDF (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG picture (*.png)")});
+  dialog->setNameFilters({tr("PDF (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG picture (*.png)"),
+                          tr("TIFF picture (*.tiff)")});
   dialog->setDefaultSuffix(QStringLiteral("pdf"));
   connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
     dialog->setDefaultSuffix(filter.section(QLatin1Char('.'), -1).chopped(1));

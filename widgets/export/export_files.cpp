@@ -9,6 +9,7 @@
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
+#include "render/export/order/ink_alone.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet_figure.h"
@@ -52,10 +53,10 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   if (const render::ExportFormat* kind = formatOf(draft.kind))
     render::dropForeignOptions(order, *kind);
   if (order.pureInk) {
-    render::drawInInk(order);
+    render::leaveInkAlone(order);
     order.environment.background = render::Background::white;
   }
-  order.labels.onDark = order.environment.background == render::Background::dark;
+  order.labels.ground = order.environment.background;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(render::filmPageMm(order));
   if (pageUseOf(draft.kind) == render::PageUse::slides)

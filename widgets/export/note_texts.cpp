@@ -17,6 +17,12 @@ QString markName(const QString& name) {
     return tr("the view's name");
   if (name == QLatin1String("scale"))
     return tr("the scale bar");
+  if (name == QLatin1String("legend"))
+    return tr("the legend");
+  if (name == QLatin1String("caption"))
+    return tr("the view's text");
+  if (name.startsWith(QLatin1String("gamma")))
+    return tr("what Γ follows");
   return tr("what sections have taken away");
 }
 

@@ -11,13 +11,15 @@ namespace sline::widgets {
 
 FigureActions::FigureActions(Session& session, const WindowActions& actions, QWidget& window)
     : QObject(&window), m_session(session), m_actions(actions), m_window(window) {
-  connect(&m_session, &Session::documentChanged, this, &FigureActions::showState);
+  connect(&m_session, &Session::documentChanged, this, [this] {
+    showState();
+    if (m_dialog && m_opening == m_session.document().opening)
+      m_dialog->sceneChanged(std::make_shared<const model::Scene>(m_session.sceneBeforePreview()));
+  });
   controlsRemade();
 }
 
-FigureActions::~FigureActions() {
-  m_files.drop();
-}
+FigureActions::~FigureActions() = default;
 
 void FigureActions::controlsRemade() {
   connect(&m_actions[QStringLiteral("composeFigure")], &QAction::triggered, this,
@@ -38,7 +40,8 @@ void FigureActions::showDialog() {
   }
   m_dialog = new FigureDialog(
       {std::make_shared<const model::Scene>(m_session.sceneBeforePreview()), m_session.file().path},
-      m_files, &m_window);
+      &m_window);
+  m_opening = m_session.document().opening;
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   m_dialog->open();
 }

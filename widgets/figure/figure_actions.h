@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QPointer>
 
-#include "widgets/session/background_queue.h"
 #include "widgets/session/session.h"
 
 class QWidget;
@@ -32,8 +31,8 @@ class FigureActions : public QObject {
   Session& m_session;
   const WindowActions& m_actions;
   QWidget& m_window;
-  BackgroundQueue m_files;  ///< reads and writes
   QPointer<FigureDialog> m_dialog;
+  int m_opening = 0;  ///< of the document that the dialog was made of
 };
 
 }  // namespace sline::widgets

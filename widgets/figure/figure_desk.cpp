@@ -129,4 +129,35 @@ Status FigureDesk::addScene(const std::filesystem::path& file) {
   return Unit{};
 }
 
+bool FigureDesk::setOpenScene(std::shared_ptr<const model::Scene> scene) {
+  if (*scene == *m_open.scene)
+    return false;
+  bool shown = false;
+  for (auto& [name, held] : m_scenes)
+    if (held == m_open.scene) {
+      held = scene;
+      shown = true;
+    }
+  m_open.scene = std::move(scene);
+  return shown;
+}
+
+std::vector<std::filesystem::path> FigureDesk::otherFiles() const {
+  std::vector<std::filesystem::path> files;
+  for (const auto& [name, path] : m_paths)
+    if (!path.empty() && m_scenes.at(name) != m_open.scene)
+      files.push_back(path);
+  return files;
+}
+
+Status FigureDesk::readAgain(const std::filesystem::path& file) {
+  Result<model::SceneDocument> document = wholeScene(file);
+  if (!document.ok())
+    return document.error();
+  for (auto& [name, path] : m_paths)
+    if (path == file)
+      m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document->scene));
+  return Unit{};
+}
+
 }  // namespace sline::widgets

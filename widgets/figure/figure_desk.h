@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "model/base/result.h"
 #include "model/figure/figure.h"
@@ -39,6 +40,13 @@ class FigureDesk {
   static Result<FigureDesk> read(const OpenScene& open, const std::filesystem::path& file);
   /// Writes the figure; scenes are named from its folder, in which or below which they must lie.
   Status save(const std::filesystem::path& file);
+  /// Takes the scene that the window has open as it is now; returns false where no panel could show
+  /// it or it is the same.
+  bool setOpenScene(std::shared_ptr<const model::Scene> scene);
+  /// Returns the scene files that panels show, without that which the window has open.
+  std::vector<std::filesystem::path> otherFiles() const;
+  /// Reads the scene file again. It takes long.
+  Status readAgain(const std::filesystem::path& file);
   /// Adds a panel of each view of another scene file. It takes long.
   Status addScene(const std::filesystem::path& file);
 

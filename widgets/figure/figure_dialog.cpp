@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/figure/figure_dialog.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -19,6 +18,9 @@
 
 #include "model/figure/figure_edit.h"
 #include "render/export/figure/figure_checks.h"
+#include "render/export/figure/figure_options.h"
+#include "widgets/export/note_texts.h"
+#include "widgets/export/option_form.h"
 #include "widgets/figure/figure_preview.h"
 #include "widgets/form/control.h"
 #include "widgets/text/path_text.h"
@@ -29,7 +31,6 @@ namespace sline::widgets {
 namespace {
 
 constexpr int soonMs = 120;
-constexpr float figureDpi = 600.0f;
 
 QToolButton* button(const char* name, const QString& text, const QString& tip) {
   auto* made = new QToolButton;
@@ -48,16 +49,13 @@ QFormLayout* emptied(QWidget& form) {
   return layout;
 }
 
-/// Plans and draws the figure; what `before` shows the same is taken from there.
-Result<render::ComposedFigure> composed(const model::Figure& figure,
-                                        const render::FigureScenes& scenes,
-                                        const std::stop_token& stop,
-                                        const render::ComposedFigure* before) {
-  const Result<render::FigurePlan> plan = render::planFigure(figure, scenes);
-  if (!plan.ok())
-    return plan.error();
-  return render::composeFigure(
-      *plan, [&stop](double, std::string_view) { return !stop.stop_requested(); }, before);
+/// Returns what the panels lack, as the window says it, the panels' names before it.
+QStringList notesOf(const render::ComposedFigure& figure) {
+  QStringList all;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    for (const QString& text : noteTexts(figure.panels[i].plate.notes))
+      all << FigureFields::nameOf(figure.plan.figure, i).simplified() + QStringLiteral(": ") + text;
+  return all;
 }
 
 }  // namespace
@@ -71,10 +69,9 @@ struct FigureDialog::Composed {
   std::vector<Error> faults;
 };
 
-FigureDialog::FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* parent)
+FigureDialog::FigureDialog(OpenScene open, QWidget* parent)
     : QDialog(parent),
       m_open(open),
-      m_files(files),
       m_desk(std::move(open)),
       m_page(FigureFields::ofPage()),
       m_preview(new FigurePreview),
@@ -86,7 +83,10 @@ FigureDialog::FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* pare
       m_remove(button("figureRemove", tr("Remove"), tr("Remove the panel"))),
       m_up(button("figureUp", tr("Up"), tr("Move the panel up"))),
       m_down(button("figureDown", tr("Down"), tr("Move the panel down"))),
-      m_export(new QPushButton(tr("&Export…"))) {
+      m_export(new QPushButton(tr("&Export…"))),
+      m_options(render::usualFigureOrder()),
+      m_planned(m_options),
+      m_writing(new FigureWriting) {
   setObjectName(QStringLiteral("figureDialog"));
   setWindowTitle(tr("Figure of Several Panels") + QStringLiteral("[*]"));
   auto* across = new QHBoxLayout;
@@ -106,6 +106,11 @@ FigureDialog::FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* pare
           [this](std::size_t panel) { m_list->setCurrentRow(int(panel)); });
   connect(m_preview, &FigurePreview::framed, this, &FigureDialog::addInset);
   connect(m_list, &QListWidget::currentRowChanged, this, &FigureDialog::chooseRow);
+  connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FigureDialog::readAgain);
+  connect(m_writing, &FigureWriting::ended, this, [this](const QString& words) {
+    m_export->setEnabled(m_printable);
+    m_told->setText(words);
+  });
   showAll();
   m_list->setCurrentRow(0);
   resize(980, 620);
@@ -123,6 +128,13 @@ QWidget* FigureDialog::makeSide() {
   auto* inPage = new QVBoxLayout(page);
   inPage->addWidget(m_pageForm);
   layout->addWidget(page);
+  auto* file = new QGroupBox(tr("File"));
+  auto* inFile = new QVBoxLayout(file);
+  const render::OptionList options = render::figureOptions();
+  auto* form = new OptionForm(m_options, {options.begin(), options.end()}, {});
+  connect(form, &OptionForm::changed, this, &FigureDialog::optionsChanged);
+  inFile->addWidget(form);
+  layout->addWidget(file);
   layout->addStretch(1);
   auto* scroll = new QScrollArea;
   scroll->setWidget(side);
@@ -173,6 +185,7 @@ QWidget* FigureDialog::makeBottom() {
   m_told->setTextFormat(Qt::PlainText);
   m_told->setWordWrap(true);
   layout->addWidget(m_told, 1);
+  layout->addWidget(m_writing);
   const auto add = [&](const char* name, QPushButton* made, const auto& what) {
     made->setObjectName(QLatin1String(name));
     made->setAutoDefault(false);
@@ -181,7 +194,7 @@ QWidget* FigureDialog::makeBottom() {
   };
   add("figureOpen", new QPushButton(tr("&Open…")), [this] { askThen([this] { chooseOpen(); }); });
   add("figureSave", new QPushButton(tr("&Save Figure…")), [this] { chooseSave(); });
-  m_export->setToolTip(tr("As PDF, SVG or PNG"));
+  m_export->setToolTip(tr("As PDF, SVG, PNG or TIFF"));
   add("figureExport", m_export, [this] { chooseExport(); });
   add("figureClose", new QPushButton(tr("Close")), [this] { reject(); });
   return bottom;
@@ -238,8 +251,48 @@ void FigureDialog::showAll() {
   m_filling = false;
   showPanel();
   setWindowModified(m_desk.modified());
+  watchFiles();
+  redraw();
+}
+
+void FigureDialog::redraw() {
   ++m_round;
+  m_preview->setStale(tr("The page as it was; it is being drawn anew…"));
   m_soon.start();
+}
+
+void FigureDialog::sceneChanged(std::shared_ptr<const model::Scene> scene) {
+  m_open.scene = scene;
+  if (m_desk.setOpenScene(std::move(scene)))
+    showAll();
+}
+
+void FigureDialog::watchFiles() {
+  if (!m_watcher.files().empty())
+    m_watcher.removePaths(m_watcher.files());
+  for (const std::filesystem::path& file : m_desk.otherFiles())
+    m_watcher.addPath(textOf(file));
+}
+
+void FigureDialog::readAgain(const QString& path) {
+  // A file that is being replaced is away for a moment.
+  constexpr int moment = 200;  // milliseconds
+  m_preview->setStale(tr("The page as it was; %1 has changed").arg(QFileInfo(path).fileName()));
+  QTimer::singleShot(moment, this, [this, path] {
+    const Status read = m_desk.readAgain(pathOf(path));
+    showAll();
+    if (!read.ok())
+      tell(read, {});
+  });
+}
+
+void FigureDialog::optionsChanged() {
+  if (!render::samePage(m_options, m_planned))
+    redraw();
+}
+
+FigureWork FigureDialog::work() const {
+  return {figure(), m_desk.scenes(), m_options, m_drawn};
 }
 
 void FigureDialog::chooseRow(int) {
@@ -266,7 +319,7 @@ void FigureDialog::change(model::Figure changed) {
   if (changed == figure())
     return;
   m_desk.set(std::move(changed));
-  ++m_round;
+  redraw();
   // A control that has just been used must not be deleted by what it says.
   QMetaObject::invokeMethod(this, &FigureDialog::showAll, Qt::QueuedConnection);
 }
@@ -279,14 +332,19 @@ void FigureDialog::addInset(std::size_t panel, const model::FigureBox& part) {
 
 void FigureDialog::compose() {
   m_queue.drop();
-  m_queue.add([dialog = QPointer(this), round = m_round, figure = figure(),
-               scenes = m_desk.scenes(), before = m_drawn,
+  m_planned = m_options;
+  m_queue.add([dialog = QPointer(this), round = m_round, work = work(),
                room = QSizeF(m_preview->size()) *
                       m_preview->devicePixelRatioF()](const std::stop_token& stop) {
     Composed made{.round = round};
-    Result<render::ComposedFigure> drawn = composed(figure, scenes, stop, before.get());
+    const auto goOn = [&stop](double, std::string_view) { return !stop.stop_requested(); };
+    Result<render::ComposedFigure> drawn = composed(work, goOn);
+    if (const Status fine = render::checkFigureOptions(work.options, work.figure.blackAndWhite);
+        !fine.ok())
+      made.faults.push_back(fine.error());
     if (drawn.ok()) {
-      made.faults = render::printFaults(*drawn);
+      const std::vector<Error> faults = render::printFaults(*drawn);
+      made.faults.insert(made.faults.end(), faults.begin(), faults.end());
       made.page = render::pagePicture(render::pageOf(*drawn),
                                       FigurePreview::pageWidth(room, drawn->plan.layout.sizeMm));
       made.figure = std::make_shared<const render::ComposedFigure>(std::move(*drawn));
@@ -304,15 +362,18 @@ void FigureDialog::show(const Composed& made) {
   if (made.round != m_round)
     return;
   m_shown = made.round;
-  m_export->setEnabled(made.figure && made.faults.empty());
+  m_printable = made.figure && made.faults.empty();
+  m_export->setEnabled(m_printable && !m_writing->busy());
   const Error* problem = made.error            ? &*made.error
                          : made.faults.empty() ? nullptr
                                                : &made.faults.front();
-  if (problem)
-    m_told->setText(told(problem->text()));
-  else if (m_problem)
-    m_told->clear();
-  m_problem = problem != nullptr;
+  const QStringList notes = made.figure ? notesOf(*made.figure) : QStringList();
+  // What was said of a file stays until there is something else to say of the page.
+  const QString words = problem ? told(problem->text()) : notes.join(QLatin1Char('\n'));
+  if (words != m_said)
+    m_told->setText(words);
+  m_said = words;
+  m_preview->setStale(made.figure ? QString() : tr("The page as it was before the last change"));
   if (!made.figure)
     return;
   m_drawn = made.figure;
@@ -321,111 +382,6 @@ void FigureDialog::show(const Composed& made) {
 
 void FigureDialog::tell(const Status& status, const QString& done) {
   m_told->setText(status.ok() ? done : told(status.error().text()));
-}
-
-QString FigureDialog::folder() const {
-  const std::filesystem::path& file = m_desk.file().empty() ? m_open.file : m_desk.file();
-  return file.empty() ? QDir::homePath() : textOf(file.parent_path());
-}
-
-void FigureDialog::chooseOpen() {
-  auto* dialog = new QFileDialog(this, tr("Open Figure"), folder());
-  dialog->setObjectName(QStringLiteral("figureOpenDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilter(tr("Figures (*.json)"));
-  connect(dialog, &QFileDialog::fileSelected, this, &FigureDialog::openFile);
-  dialog->open();
-}
-
-void FigureDialog::openFile(const QString& path) {
-  m_queue.drop();
-  m_queue.add(
-      [dialog = QPointer(this), open = m_open, file = pathOf(path)](const std::stop_token&) {
-        const auto desk = std::make_shared<Result<FigureDesk>>(FigureDesk::read(open, file));
-        return BackgroundQueue::Sequel([dialog, desk] {
-          if (!dialog)
-            return;
-          if (!desk->ok())
-            return dialog->m_told->setText(told(desk->error().text()));
-          dialog->m_desk = **desk;
-          dialog->m_list->setCurrentRow(0);
-          dialog->showAll();
-        });
-      });
-}
-
-void FigureDialog::chooseScene() {
-  auto* dialog = new QFileDialog(this, tr("Add Views of Another Scene"), folder());
-  dialog->setObjectName(QStringLiteral("figureSceneDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilter(tr("Scenes (*.sline)"));
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    tell(m_desk.addScene(pathOf(path)), {});
-    showAll();
-  });
-  dialog->open();
-}
-
-void FigureDialog::chooseSave(const std::function<void()>& then) {
-  auto* dialog = new QFileDialog(this, tr("Save Figure"), folder());
-  dialog->setObjectName(QStringLiteral("figureSaveDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(tr("Figures (*.json)"));
-  dialog->setDefaultSuffix(QStringLiteral("json"));
-  if (!m_desk.file().empty())
-    dialog->selectFile(textOf(m_desk.file()));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& path) {
-    if (saveFile(path) && then)
-      then();
-  });
-  dialog->open();
-}
-
-bool FigureDialog::saveFile(const QString& path) {
-  const Status saved = m_desk.save(pathOf(path));
-  if (saved.ok())
-    showAll();
-  tell(saved, tr("Saved %1").arg(QFileInfo(path).fileName()));
-  return saved.ok();
-}
-
-void FigureDialog::chooseExport() {
-  auto* dialog = new QFileDialog(this, tr("Export Figure"), folder());
-  dialog->setObjectName(QStringLiteral("figureExportDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilters({tr("PDF (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG picture (*.png)")});
-  dialog->setDefaultSuffix(QStringLiteral("pdf"));
-  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-    dialog->setDefaultSuffix(filter.section(QLatin1Char('.'), -1).chopped(1));
-  });
-  connect(dialog, &QFileDialog::fileSelected, this, &FigureDialog::exportFile);
-  dialog->open();
-}
-
-void FigureDialog::exportFile(const QString& path) {
-  const std::filesystem::path target = pathOf(path);
-  if (const Status named = render::checkPageName(target, "a figure"); !named.ok())
-    return tell(named, {});
-  m_told->setText(tr("Writing the figure…"));
-  m_files.add([dialog = QPointer(this), path, target, figure = figure(), scenes = m_desk.scenes(),
-               before = m_drawn](const std::stop_token& stop) {
-    const Result<render::ComposedFigure> drawn = composed(figure, scenes, stop, before.get());
-    Status status = Unit{};
-    if (!drawn.ok())
-      status = drawn.error();
-    else if (const std::vector<Error> faults = render::printFaults(*drawn); !faults.empty())
-      status = faults.front();
-    else
-      status = render::writePage(render::pageOf(*drawn), target, figureDpi);
-    return BackgroundQueue::Sequel([dialog, path, status] {
-      if (dialog)
-        dialog->tell(status, tr("Saved %1").arg(QFileInfo(path).fileName()));
-    });
-  });
 }
 
 void FigureDialog::askThen(const std::function<void()>& goOn) {
@@ -447,6 +403,8 @@ void FigureDialog::askThen(const std::function<void()>& goOn) {
 }
 
 void FigureDialog::reject() {
+  if (m_writing->busy())
+    return m_writing->cancel();
   askThen([this] { QDialog::reject(); });
 }
 

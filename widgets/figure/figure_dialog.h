@@ -4,13 +4,14 @@
 #pragma once
 
 #include <QDialog>
+#include <QFileSystemWatcher>
 #include <QTimer>
 #include <functional>
 #include <memory>
 
-#include "render/export/figure/figure_page.h"
 #include "widgets/figure/figure_desk.h"
 #include "widgets/figure/figure_fields.h"
+#include "widgets/figure/figure_writing.h"
 #include "widgets/session/background_queue.h"
 
 class QFormLayout;
@@ -27,19 +28,19 @@ class FigurePreview;
 class FigureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The queue reads and writes files, also after the dialog has closed; it must outlive the
-  /// dialog.
-  FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* parent = nullptr);
+  explicit FigureDialog(OpenScene open, QWidget* parent = nullptr);
   ~FigureDialog() override;
 
   const model::Figure& figure() const { return m_desk.figure(); }
-  /// Tells whether the page on screen shows the figure as it is.
+  /// Takes the window's scene as it is now.
+  void sceneChanged(std::shared_ptr<const model::Scene> scene);
+  /// Tells whether the page on screen, or the problem told, is of the figure as it is.
   bool upToDate() const { return m_shown == m_round; }
   /// Opens a figure's file in the background.
   void openFile(const QString& path);
   /// Writes the figure's file; tells why where it cannot.
   bool saveFile(const QString& path);
-  /// Writes the page in the background, unless it has what cannot be printed.
+  /// Writes the page in the background, unless it has what cannot be printed. Closing stops it.
   void exportFile(const QString& path);
 
   void reject() override;
@@ -55,6 +56,12 @@ class FigureDialog : public QDialog {
   void showAll();
   void showPanel();
   void change(model::Figure figure);
+  /// Marks the page as of another state of the figure, and has it drawn anew.
+  void redraw();
+  void watchFiles();
+  void readAgain(const QString& path);
+  void optionsChanged();
+  FigureWork work() const;
   void chooseRow(int row);
   void addInset(std::size_t panel, const model::FigureBox& part);
   void compose();
@@ -69,7 +76,6 @@ class FigureDialog : public QDialog {
   QString folder() const;
 
   OpenScene m_open;
-  BackgroundQueue& m_files;
   FigureDesk m_desk;
   std::vector<FigureField> m_page;
   FigurePreview* m_preview;
@@ -82,13 +88,18 @@ class FigureDialog : public QDialog {
   QToolButton* m_up;
   QToolButton* m_down;
   QPushButton* m_export;
-  QTimer m_soon;  ///< gathers changes that come at once
+  render::ExportOrder m_options;  ///< of the file; must outlive their form
+  render::ExportOrder m_planned;  ///< those of the page that is being drawn
+  FigureWriting* m_writing;
+  QFileSystemWatcher m_watcher;  ///< of scenes that the window has not open
+  QTimer m_soon;                 ///< gathers changes that come at once
+  QString m_said;                ///< of the page that is shown
   int m_round = 0;
   int m_shown = -1;
   std::shared_ptr<const render::ComposedFigure> m_drawn;
-  bool m_filling = false;   ///< controls are being filled, and nobody has typed
-  bool m_problem = false;   ///< what is told is a problem of the figure
-  BackgroundQueue m_queue;  ///< draws
+  bool m_printable = false;  ///< what is shown
+  bool m_filling = false;    ///< controls are being filled, and nobody has typed
+  BackgroundQueue m_queue;   ///< draws
 };
 
 }  // namespace sline::widgets

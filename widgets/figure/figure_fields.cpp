@@ -21,12 +21,12 @@ FigureField switchOf(const char* id, const QString& text, bool Figure::*member) 
           [member](Figure& figure, const QVariant& value) { figure.*member = value.toBool(); }};
 }
 
-FigureField pointsOf(const char* id, const QString& text, float Figure::*member,
-                     const Limits<float>& limits) {
+FigureField numberOf(const char* id, const QString& text, float Figure::*member,
+                     const Limits<float>& limits, const QString& unit = QStringLiteral("pt")) {
   return {{QLatin1String(id),
            text,
            {},
-           NumberField{double(limits.low), double(limits.high), 2, 0.5, QStringLiteral("pt"), {}}},
+           NumberField{double(limits.low), double(limits.high), 2, 0.5, unit, {}}},
           [member](const Figure& figure) { return QVariant(double(figure.*member)); },
           [member](Figure& figure, const QVariant& value) { figure.*member = value.toFloat(); }};
 }
@@ -54,14 +54,16 @@ Choice named(std::string_view id, const QString& text) {
 
 /// Wraps a switch of a panel that the figure answers where the panel does not.
 FigureField panelSwitch(const char* id, const QString& text, std::size_t index,
-                        std::optional<bool> model::FigurePanel::*own, bool Figure::*all) {
+                        std::optional<bool> model::FigurePanel::*own,
+                        bool (*usual)(const Figure&, std::size_t)) {
   return {{QLatin1String(id), text, {}, SwitchField{}},
           [=](const Figure& figure) {
-            return QVariant((figure.panels[index].*own).value_or(figure.*all));
+            return QVariant((figure.panels[index].*own).value_or(usual(figure, index)));
           },
           [=](Figure& figure, const QVariant& value) {
+            const bool wanted = value.toBool();
             figure.panels[index].*own =
-                value.toBool() == figure.*all ? std::nullopt : std::optional(value.toBool());
+                wanted == usual(figure, index) ? std::nullopt : std::optional(wanted);
           }};
 }
 
@@ -73,6 +75,31 @@ FigureField panelSpan(const char* id, const QString& text, std::size_t index,
       [=](Figure& figure, const QVariant& value) {
         figure.panels[index].*span = int(std::lround(value.toDouble()));
       }};
+}
+
+/// The language of what is written; a text, as figures know it.
+FigureField languageField(const QString& text) {
+  return {{QStringLiteral("figureLanguage"), text, {}, TextField{.longest = 40}},
+          [](const Figure& figure) { return QVariant(QString::fromStdString(figure.language)); },
+          [](Figure& figure, const QVariant& value) {
+            figure.language = value.toString().trimmed().toStdString();
+          }};
+}
+
+/// The letter of a panel in place of the next one.
+FigureField letterField(const QString& text, std::size_t index) {
+  return {{QStringLiteral("panelLetter"), text, {}, TextField{.longest = 2}},
+          [index](const Figure& figure) {
+            const auto& letter = figure.panels[index].letter;
+            return QVariant(!letter           ? QString()
+                            : letter->empty() ? QStringLiteral(" ")
+                                              : QString::fromStdString(*letter));
+          },
+          [index](Figure& figure, const QVariant& value) {
+            const QString letter = value.toString();
+            figure.panels[index].letter =
+                letter.isEmpty() ? std::nullopt : std::optional(letter.trimmed().toStdString());
+          }};
 }
 
 std::optional<model::FigureBox> placeOfInset(const Figure& figure, std::size_t index) {
@@ -90,23 +117,33 @@ std::vector<FigureField> FigureFields::told(std::vector<FigureField> fields) {
   const QString panels = tr("If not as in the other panels");
   const std::pair<const char*, QString> tips[] = {
       {"figureWidth", tr("One column of a journal, one and a half, or two")},
+      {"figureGap", tr("How far panels are apart")},
+      {"figureSameScale",
+       tr("So that sizes compare: one scale bar is true for all panels; enlarged "
+          "parts stay enlarged")},
+      {"figureLanguage", tr("Of labels, scale bars and the legend, as in de, la or de+la; empty: "
+                            "the scene's own")},
+      {"figureLeastPoints", tr("A figure with smaller ones is refused")},
+      {"figureLeastLine", tr("What thin lines are measured by")},
       {"figureWidthMm", tr("For pages that no journal prescribes")},
       {"figureHeightMm", tr("Without it panels are 4 by 3 and the legend has its room")},
       {"figureColumns", tr("Into how many columns the page is divided; panels fill it by rows")},
       {"figureLetters", tr("Bold, at the upper left of each panel")},
       {"figureLetterPoints", tr("How large the letters of panels are")},
-      {"figurePoints", tr("Scale bars and the legend are a fifth smaller; nothing may be smaller "
-                          "than 6 pt")},
+      {"figurePoints", tr("Scale bars and the legend are a fifth smaller")},
       {"figurePen", tr("How wide contours are, the same in all panels")},
       {"figureLegend", tr("One legend for all panels, at the foot of the page")},
       {"figureProjection", tr("Without perspective a scale bar is true everywhere")},
-      {"figureThinLines", tr("What becomes of lines thinner than 0.25 pt; hatching stays")},
+      {"figureThinLines", tr("What becomes of lines that are too thin to print; hatching stays")},
       {"figureLabels", own},
       {"figureScaleBars", own},
       {"figureSides", tr("And the other sides of the body")},
       {"figureBlackAndWhite", tr("Ink alone, without tones and colours")},
       {"panelView", tr("A saved view of the scene, or a side of the body")},
       {"panelCamera", tr("Like another panel: of the same direction and scale, to be compared")},
+      {"panelCentred", tr("Moved aside to the middle of what this panel shows")},
+      {"panelLetter", tr("In place of the next one; a blank for none")},
+      {"panelSides", panels},
       {"panelInside", tr("The enlarged part lies on the panel of which it is a part")},
       {"panelLines", tr("From the corners of the frame to those of the enlarged part")},
       {"panelColumns", tr("How many columns of the page the panel is wide")},
@@ -174,7 +211,9 @@ std::vector<FigureField> FigureFields::ofSize() {
                         if (count != figure.columns.size())
                           figure.columns.assign(count, 1.0f);
                       }};
-  return {width, millimetres, height, columns};
+  return {width, millimetres, height, columns,
+          numberOf("figureGap", tr("Between panels"), &Figure::gapMm, model::figureGapLimits,
+                   QStringLiteral("mm"))};
 }
 
 std::vector<FigureField> FigureFields::ofPage() {
@@ -184,10 +223,10 @@ std::vector<FigureField> FigureFields::ofPage() {
                {named("lower", QStringLiteral("a, b, c")),
                 named("upper", QStringLiteral("A, B, C")), named("none", tr("None"))},
                &Figure::letters),
-      pointsOf("figureLetterPoints", tr("Their size"), &Figure::letterPoints,
+      numberOf("figureLetterPoints", tr("Their size"), &Figure::letterPoints,
                model::figureLetterLimits),
-      pointsOf("figurePoints", tr("Size of la&bels"), &Figure::points, model::figureLetterLimits),
-      pointsOf("figurePen", tr("&Contours"), &Figure::penPoints, model::figurePenLimits),
+      numberOf("figurePoints", tr("Size of la&bels"), &Figure::points, model::figureLetterLimits),
+      numberOf("figurePen", tr("&Contours"), &Figure::penPoints, model::figurePenLimits),
       choiceOf(
           "figureLegend", tr("Le&gend"),
           {named("none", tr("None")), named("all", tr("All structures")),
@@ -200,6 +239,12 @@ std::vector<FigureField> FigureFields::ofPage() {
                {named("raised", tr("Drawn wide enough to print")), named("refused", tr("Refused")),
                 named("kept", tr("Kept"))},
                &Figure::thinLines),
+      numberOf("figureLeastPoints", tr("Smallest letters"), &Figure::leastPoints,
+               model::figureLeastLimits),
+      numberOf("figureLeastLine", tr("Thinnest lines"), &Figure::leastLine,
+               model::figureLeastLimits),
+      languageField(tr("Language")),
+      switchOf("figureSameScale", tr("Same scale in all panels"), &Figure::sameScale),
       switchOf("figureLabels", tr("Labels in all panels"), &Figure::labels),
       switchOf("figureScaleBars", tr("Scale bars in all panels"), &Figure::scaleBars),
       switchOf("figureSides", tr("R and L in all panels"), &Figure::sides),
@@ -268,6 +313,15 @@ std::vector<FigureField> FigureFields::ofCamera(const model::Figure& figure, std
                       else if (text.starts_with("like "))
                         camera = {.like = text.substr(5)};
                     }});
+  if (const auto& camera = figure.panels[index].camera; camera && !camera->like.empty())
+    fields.push_back({{QStringLiteral("panelCentred"), tr("On its own middle"), {}, SwitchField{}},
+                      [index](const Figure& f) {
+                        return QVariant(f.panels[index].camera && f.panels[index].camera->centred);
+                      },
+                      [index](Figure& f, const QVariant& value) {
+                        if (auto& own = f.panels[index].camera)
+                          own->centred = value.toBool();
+                      }});
   return fields;
 }
 
@@ -298,9 +352,12 @@ std::vector<FigureField> FigureFields::ofPanel(const model::Figure& figure, std:
       panelSpan("panelColumns", tr("Spans columns"), index, &model::FigurePanel::columns));
   fields.push_back(panelSpan("panelRows", tr("Spans rows"), index, &model::FigurePanel::rows));
   fields.push_back(panelSwitch("panelLabels", tr("Labels"), index, &model::FigurePanel::labels,
-                               &Figure::labels));
+                               model::usualLabels));
   fields.push_back(panelSwitch("panelScaleBar", tr("Scale bar"), index,
-                               &model::FigurePanel::scaleBar, &Figure::scaleBars));
+                               &model::FigurePanel::scaleBar, model::usualScaleBar));
+  fields.push_back(panelSwitch("panelSides", tr("R and L"), index, &model::FigurePanel::sides,
+                               model::usualSides));
+  fields.push_back(letterField(tr("Letter"), index));
   return told(std::move(fields));
 }
 

@@ -32,6 +32,13 @@ void FigurePreview::show(const QImage& page, const model::FigureLayout& layout) 
   update();
 }
 
+void FigurePreview::setStale(const QString& why) {
+  if (why == m_stale)
+    return;
+  m_stale = why;
+  update();
+}
+
 void FigurePreview::choose(std::optional<std::size_t> panel) {
   m_chosen = panel;
   update();
@@ -45,7 +52,8 @@ int FigurePreview::pageWidth(const QSizeF& room, const glm::vec2& pageMm) {
 QRectF FigurePreview::pageRect() const {
   if (m_page.isNull())
     return {};
-  const QRectF room = QRectF(rect()).marginsRemoved({margin, margin, margin, margin});
+  const qreal above = margin + fontMetrics().height();  // what is said of the page stands there
+  const QRectF room = QRectF(rect()).marginsRemoved({margin, above, margin, margin});
   QSizeF page = QSizeF(m_page.size()).scaled(room.size(), Qt::KeepAspectRatio);
   QRectF placed({}, page);
   placed.moveCenter(room.center());
@@ -91,6 +99,15 @@ void FigurePreview::paintEvent(QPaintEvent*) {
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(pageRect(), m_page);
+  if (!m_stale.isEmpty()) {
+    constexpr int veil = 150;  // of 255
+    QColor over = palette().color(QPalette::Mid);
+    over.setAlpha(veil);
+    painter.fillRect(pageRect(), over);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
+                     Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap, m_stale);
+  }
   const auto outline = [&](const model::FigureBox& box, Qt::PenStyle style) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5, style));
     painter.drawRect(QRectF(onScreen(box.at), onScreen(box.end())));

@@ -17,6 +17,9 @@ class FigurePreview : public QWidget {
 
   /// Shows that picture of a page laid out like that.
   void show(const QImage& page, const model::FigureLayout& layout);
+  /// Says in words why the page shown is not the figure as it is; empty: it is.
+  void setStale(const QString& why);
+  const QString& stale() const { return m_stale; }
   /// Marks the panel; absent: none.
   void choose(std::optional<std::size_t> panel);
   const QImage& picture() const { return m_page; }
@@ -48,6 +51,7 @@ class FigurePreview : public QWidget {
   /// Returns the rectangle that is being dragged, within its panel, on the page.
   model::FigureBox dragged() const;
 
+  QString m_stale;
   QImage m_page;
   model::FigureLayout m_layout;
   std::optional<std::size_t> m_chosen;

@@ -91,10 +91,10 @@ void FocusContext::askForLook(const LookQuestion& asked) {
   const std::stop_token stop = freshQuestion();
   m_subject = asked.subject;
   const std::uint64_t question = ++m_asked;
-  inBackground([this, question, asked, stop, forms = m_forms,
+  inBackground([this, question, asked, stop, forms = m_forms, plain = undrawn(),
                 scene = m_session.sceneBeforePreview()] {
     auto look =
-        model::openingLook(scene, *forms, {.subject = asked.subject, .aspect = asked.aspect}, stop);
+        model::openingLook(plain, *forms, {.subject = asked.subject, .aspect = asked.aspect}, stop);
     if (look && asked.opening && asked.opening->styleOf)
       look->scene = model::withDrawingStyle(look->scene, *asked.opening, *forms,
                                             {.camera = look->camera}, stop)
@@ -108,11 +108,15 @@ void FocusContext::askForLook(const LookQuestion& asked) {
   await(question);
 }
 
+model::Scene FocusContext::undrawn() const {
+  return m_colours.givenBack(m_session.document().opening, m_session.sceneBeforePreview());
+}
+
 void FocusContext::offerSubjects(float aspect, std::size_t count) {
   m_offerStop.request_stop();
   m_offerStop = std::stop_source();
-  inBackground([this, aspect, count, from = m_subject, forms = m_forms,
-                scene = m_session.sceneBeforePreview(), stop = m_offerStop.get_token()] {
+  inBackground([this, aspect, count, from = m_subject, forms = m_forms, scene = undrawn(),
+                stop = m_offerStop.get_token()] {
     const std::size_t all = model::subjectsOf(scene).size();
     for (std::size_t i = 1; i <= count && i < all; ++i) {
       const std::size_t subject = (from + i) % all;
@@ -162,6 +166,8 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
   {
     const QScopedValueRollback applying(m_applying, true);
     model::Edited edited{look->scene, !(look->scene == asked)};
+    if (opening)
+      m_colours.note(m_session.document().opening, asked, look->scene);
     if (opening)
       m_session.completeOpening(tr("Opening look"), std::move(edited));
     else

@@ -49,7 +49,13 @@ QWidget* makeEditor(const Field&, const TextField& kind, const Take& take) {
     box->setTabChangesFocus(true);
     box->setFixedHeight((kind.lines + 1) * box->fontMetrics().lineSpacing());
     QObject::connect(box, &QPlainTextEdit::textChanged, box, [box, take, longest = kind.longest] {
-      take(box->toPlainText().left(longest));
+      // What is not taken is not shown either.
+      if (const QString text = box->toPlainText(); text.size() > longest) {
+        const QSignalBlocker quiet(box);
+        box->setPlainText(text.left(longest));
+        box->moveCursor(QTextCursor::End);
+      }
+      take(box->toPlainText());
     });
     return box;
   }

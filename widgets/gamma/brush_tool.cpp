@@ -164,6 +164,8 @@ void BrushTool::show(const ShownPicture& picture) {
   if (painting()) {
     brush.erases = m_erases;
     at = m_path.empty() ? m_last : m_path.back();
+  } else if (m_beside) {
+    at = m_last;
   } else if (at) {
     const auto target = targetAt(*at, picture.size);
     onTarget = target.has_value();
@@ -186,11 +188,21 @@ bool BrushTool::press(const Pointer& pointer) {
   if (!m_active || pointer.button != Qt::LeftButton || !plain)
     return false;
   prepare();
-  if (!targetAt(pointer.pixel, pointer.size))
-    return false;
   const bool control = (pointer.keys & Qt::ControlModifier) != 0;
   const Press press{
       .pixel = pointer.pixel, .size = pointer.size, .erases = m_brush.erases != control};
+  finish();
+  // The press is taken in any case: a hand that paints never means to turn the scene.
+  m_last = press.pixel;
+  if (!start(press))
+    m_beside = press;
+  return true;
+}
+
+bool BrushTool::start(const Press& press) {
+  if (!targetAt(press.pixel, press.size))
+    return false;
+  m_beside.reset();
   m_erases = press.erases;
   m_last = press.pixel;
   m_path.clear();
@@ -235,7 +247,13 @@ void BrushTool::passes(const Pointer& pointer) {
     m_path.push_back(pointer.pixel);
 }
 
-void BrushTool::move(const Pointer&) {
+void BrushTool::move(const Pointer& pointer) {
+  if (m_beside) {
+    Press here = *m_beside;
+    here.pixel = m_last = pointer.pixel;
+    if (!start(here))
+      show(m_picture);
+  }
   if (m_awaited && ready(false))
     begin(*m_awaited);
   follow();
@@ -258,6 +276,7 @@ void BrushTool::cancel() {
 }
 
 void BrushTool::finish() {
+  m_beside.reset();
   m_stroke.reset();
   m_awaited.reset();
   m_path.clear();

@@ -16,8 +16,8 @@
 namespace sline::widgets {
 
 /// Paints on the selected structures while it is active: the left button paints, with Ctrl it
-/// erases; each stroke is one undo step, which Escape takes back. A press beside them is left to
-/// other tools, so that a drag there turns the scene and a click selects another structure.
+/// erases; each stroke is one undo step, which Escape takes back. A drag that begins beside them
+/// turns nothing: it paints once it comes to one of them. A click there selects another structure.
 class BrushTool : public QObject, public Tool {
   Q_OBJECT
  public:
@@ -48,7 +48,7 @@ class BrushTool : public QObject, public Tool {
   bool grips(const Pointer& pointer) const override;
   std::optional<Qt::CursorShape> cursor(const Pointer& pointer) const override;
   bool movesAtOnce() const override { return true; }
-  bool keepsClicks() const override { return true; }
+  bool keepsClicks() const override { return painting(); }
   void show(const ShownPicture& picture) override;
   void setDark(bool dark) override;
 
@@ -62,7 +62,7 @@ class BrushTool : public QObject, public Tool {
     model::NodeId id;
     float distance = 0.0f;
   };
-  /// A press, before and while its stroke is painted.
+  /// A press that is to paint.
   struct Press {
     glm::vec2 pixel{0.0f};
     glm::vec2 size{1.0f};
@@ -76,6 +76,8 @@ class BrushTool : public QObject, public Tool {
   std::optional<Place> targetAt(const glm::vec2& pixel, const glm::vec2& size) const;
   /// Returns from where one looks at a target whose surface is ready.
   BrushSight::From sightOf(model::NodeId id, const glm::vec2& size) const;
+  /// Begins the stroke where the press met a target, or waits until that is known.
+  bool start(const Press& press);
   bool begin(const Press& press);
   /// Paints as far as the mouse has come.
   void follow();
@@ -91,6 +93,7 @@ class BrushTool : public QObject, public Tool {
   SightAhead m_sights;
   model::Camera m_shownFrom;  ///< the picture under the mouse
 
+  std::optional<Press> m_beside;   ///< met no target so far
   std::optional<Press> m_awaited;  ///< of which the surfaces are not ready yet
   std::optional<BrushStroke> m_stroke;
   model::NodeId m_target;

@@ -33,8 +33,9 @@ model::Scene withoutWords(model::Scene scene) {
 
 }  // namespace
 
-DrawingPictures::DrawingPictures(Session& session, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_session(session), m_viewport(viewport) {
+DrawingPictures::DrawingPictures(Session& session, Viewport& viewport, DrawnColours& colours,
+                                 QObject* parent)
+    : QObject(parent), m_session(session), m_viewport(viewport), m_colours(colours) {
   m_pool.setMaxThreadCount(1);
   m_rest.setSingleShot(true);
   m_rest.setInterval(drawingsRestAfter);
@@ -54,9 +55,10 @@ void DrawingPictures::want(bool wanted) {
   restart();
 }
 
-const model::Scene& DrawingPictures::base() const {
+model::Scene DrawingPictures::base() const {
   const model::Scene& now = m_session.sceneBeforePreview();
-  return m_before && now == m_after ? *m_before : now;
+  return m_before && now == m_after ? *m_before
+                                    : m_colours.givenBack(m_session.document().opening, now);
 }
 
 DrawingPictures::Key DrawingPictures::keyNow() const {
@@ -169,6 +171,7 @@ void DrawingPictures::takeChoice(const Choice& choice, const model::Scene& scene
     return;
   m_before = base();
   m_after = scene;
+  m_colours.note(m_session.document().opening, *m_before, scene);
   m_session.apply(choice.step, {scene, !(scene == choice.asked)});
   emit drawn(*choice.style);
 }

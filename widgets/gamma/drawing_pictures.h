@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "model/look/drawing_styles.h"
+#include "widgets/gamma/drawn_colours.h"
 #include "widgets/session/session.h"
 #include "widgets/viewport/viewport.h"
 
@@ -22,7 +23,8 @@ namespace sline::widgets {
 class DrawingPictures : public QObject {
   Q_OBJECT
  public:
-  DrawingPictures(Session& session, Viewport& viewport, QObject* parent = nullptr);
+  DrawingPictures(Session& session, Viewport& viewport, DrawnColours& colours,
+                  QObject* parent = nullptr);
   ~DrawingPictures() override;
 
   /// Asks for pictures from now on, of the viewport's shape, or for none.
@@ -47,8 +49,9 @@ class DrawingPictures : public QObject {
     bool operator==(const Key&) const = default;
   };
   /// Returns the scene that styles are given to: the one before the last choice while that choice
-  /// is what the document shows, so that no style builds upon another.
-  const model::Scene& base() const;
+  /// is what the document shows, so that no style builds upon another; else the document's with its
+  /// structures' own colours.
+  model::Scene base() const;
   Key keyNow() const;
   void restart();
   void ask();
@@ -66,6 +69,7 @@ class DrawingPictures : public QObject {
 
   Session& m_session;
   Viewport& m_viewport;
+  DrawnColours& m_colours;
   bool m_wanted = false;
   QTimer m_rest;
   std::optional<Key> m_asked;

@@ -3,7 +3,9 @@
 
 #include <QObject>
 #include <QPointer>
+#include <cstddef>
 #include <functional>
+#include <utility>
 
 #include "widgets/import_dialog/import_dialog.h"
 #include "widgets/session/session.h"
@@ -40,10 +42,12 @@ class ImportActions : public QObject {
   /// Shows the dialog where Shift is held or the preferences always want it; a lone scene file
   /// never brings it up. Returns false if the paths are to be opened at once.
   bool asksFor(const QStringList& paths, Qt::KeyboardModifiers keys);
-  void show(std::vector<std::filesystem::path> inputs);
+  /// Shows the dialog, which begins with the plan; inputs are enough.
+  void show(model::ImportPlan plan);
 
  private:
   void connectActions();
+  void importAgain();
   void choose(bool folder);
   void carryOut(const model::ImportPlan& plan, bool intoScene);
   void updateActions();
@@ -61,7 +65,9 @@ class ImportActions : public QObject {
   QPointer<ImportDialog> m_dialog;
   QAction* m_takeUnit;
   QAction* m_keepSize;
-  int m_offered = 0;  ///< the opening that was offered another import
+  int m_doubted = 0;  ///< the opening whose unit is asked about; 0: none
+  std::pair<int, std::size_t> m_offered;  ///< the opening that was offered another import, and the
+                                          ///< number of its sources then
 };
 
 }  // namespace sline::widgets

@@ -65,8 +65,8 @@ QTableWidgetItem* cell(const QString& text) {
 
 }  // namespace
 
-ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesystem::path> inputs,
-                           bool intoScene, QWidget* parent)
+ImportDialog::ImportDialog(const DisplayNames& names, model::ImportPlan plan, bool intoScene,
+                           QWidget* parent)
     : QDialog(parent),
       m_names(names),
       m_intoScene(intoScene),
@@ -76,7 +76,7 @@ ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesyste
       m_keepUnit(new QPushButton(tr("The Size Is Right"))),
       m_tabs(new QTabWidget) {
   setObjectName(QStringLiteral("importDialog"));
-  setWindowTitle(tr("Import %1").arg(nameOf(inputs)));
+  setWindowTitle(tr("Import %1").arg(nameOf(plan.inputs)));
   QFont bold = m_summary->font();
   bold.setBold(true);
   m_summary->setFont(bold);
@@ -96,7 +96,7 @@ ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesyste
   layout->addWidget(makeButtons());
   resize(1060, 720);
   connectDraft();
-  m_draft.begin(std::move(inputs));
+  m_draft.begin(std::move(plan));
 }
 
 ImportDialog::~ImportDialog() = default;
@@ -250,8 +250,8 @@ void ImportDialog::showState() {
   const Status checked = model::checkChoices(m_draft.plan());
   m_progress->setVisible(planning);
   if (!planning)
-    m_state->setText(m_draft.plan().read && !checked.ok() ? told(checked.error().text())
-                                                          : QString());
+    m_state->setText(model::isRead(m_draft.plan()) && !checked.ok() ? told(checked.error().text())
+                                                                    : QString());
   const bool able = m_draft.ready() && checked.ok() && m_failure.isEmpty();
   m_import->setEnabled(able);
   m_add->setEnabled(able && m_intoScene);
@@ -262,7 +262,7 @@ void ImportDialog::showPlan() {
   QStringList doubts;
   if (!m_failure.isEmpty())
     doubts << m_failure;
-  if (!plan.read) {
+  if (!model::isRead(plan)) {
     m_summary->setText(m_failure.isEmpty() ? tr("Reading…") : tr("Nothing can be imported"));
   } else {
     m_summary->setText(summaryText(plan, m_draft.figures()));

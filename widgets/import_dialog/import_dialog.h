@@ -23,9 +23,9 @@ class SelectionPanel;
 class ImportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Reads the inputs; `intoScene` tells whether there is an open scene to add to. The names are
-  /// those of colours and must outlive the dialog.
-  ImportDialog(const DisplayNames& names, std::vector<std::filesystem::path> inputs, bool intoScene,
+  /// Begins with the plan, of which inputs are enough; `intoScene` tells whether there is an open
+  /// scene to add to. The names are those of colours and must outlive the dialog.
+  ImportDialog(const DisplayNames& names, model::ImportPlan plan, bool intoScene,
                QWidget* parent = nullptr);
   ~ImportDialog() override;
 

@@ -10,7 +10,8 @@ namespace {
 
 bool decidesPlaces(const model::ImportOptions& a, const model::ImportOptions& b) {
   return a.frame != b.frame || a.unit != b.unit || a.overlay != b.overlay || a.repair != b.repair ||
-         a.thresholds != b.thresholds || a.patients != b.patients;
+         a.thresholds != b.thresholds || a.patients != b.patients ||
+         a.keepFileNames != b.keepFileNames;
 }
 
 }  // namespace
@@ -22,9 +23,8 @@ ImportDraft::~ImportDraft() {
   cancel();
 }
 
-void ImportDraft::begin(std::vector<std::filesystem::path> inputs,
-                        const model::ImportOptions& options) {
-  m_plan = {.inputs = std::move(inputs), .options = options};
+void ImportDraft::begin(model::ImportPlan plan) {
+  m_plan = std::move(plan);
   start();
 }
 
@@ -84,7 +84,7 @@ void ImportDraft::start() {
   m_job = new SceneJob(
       [request = m_plan, before = m_figures, result](const model::ImportProgress& progress,
                                                      const std::stop_token&) {
-        if (!request.read && request.options.patients == model::PatientsWanted::one) {
+        if (!model::isRead(request) && request.options.patients == model::PatientsWanted::one) {
           result->patients = model::patientsAmong(request.inputs, request.options.limits,
                                                   model::ScannerSlices::read);
           if (result->patients.several())

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -20,12 +19,12 @@ class ImportDraft : public QObject {
   /// Does not wait for planning that is under way.
   ~ImportDraft() override;
 
-  /// Reads the inputs; `planned` or `failed` follows.
-  void begin(std::vector<std::filesystem::path> inputs, const model::ImportOptions& options = {});
+  /// Reads what the plan has not read, and plans; `planned` or `failed` follows.
+  void begin(model::ImportPlan plan);
   const model::ImportPlan& plan() const { return m_plan; }
   const PlanFigures& figures() const { return *m_figures; }
   /// Tells whether there is a plan for the newest choices.
-  bool ready() const { return m_plan.read && !m_job; }
+  bool ready() const { return model::isRead(m_plan) && !m_job; }
   bool planning() const { return m_job != nullptr; }
 
   void setOptions(const model::ImportOptions& options);

@@ -67,6 +67,13 @@ std::vector<OptionsPanel::Row> OptionsPanel::rows() {
         SwitchField{}},
        [](const auto& o) { return o.repair; },
        [](auto& o, const QVariant& on) { o.repair = on.toBool(); }},
+      {{QStringLiteral("importKeepNames"), tr("&Keep names of files"),
+        tr("Files are often named after patients: of their names and folders' only words of "
+           "anatomy and of the program become names of structures and groups, and the rest is not "
+           "in the scene, unless this is on"),
+        SwitchField{}},
+       [](const auto& o) { return o.keepFileNames; },
+       [](auto& o, const QVariant& on) { o.keepFileNames = on.toBool(); }},
       {{QStringLiteral("importOverlay"), tr("Lay molecules &over each other"), {}, SwitchField{}},
        [](const auto& o) { return o.overlay == model::Overlay::automatic; },
        [](auto& o, const QVariant& on) {
@@ -108,6 +115,7 @@ void OptionsPanel::place(QGridLayout& grid) {
   layout->addWidget(controlOf("importDecimation"));
   layout->addSpacing(12);
   layout->addWidget(controlOf("importRepair"));
+  layout->addWidget(controlOf("importKeepNames"));
   layout->addWidget(controlOf("importOverlay"));
   layout->addStretch(1);
   row(2, tr("S&moothing"), controlOf("importSmoothing"), more);
@@ -120,7 +128,7 @@ void OptionsPanel::refresh() {
   for (const Row& row : m_rows)
     showValue(*row.control, row.field.kind, row.read(plan.options));
   controlOf("importOverlay")->setVisible(m_draft.figures().entries > 1);
-  if (!plan.read)
+  if (!model::isRead(plan))
     return;
   for (const auto& [label, text] :
        {std::pair(m_frameReason, frameText(plan)), std::pair(m_unitReason, unitReasonText(plan))}) {

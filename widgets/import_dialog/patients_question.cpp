@@ -15,7 +15,9 @@ QString filesLine(int number, const model::PatientFiles& of) {
   constexpr std::size_t mostShown = 4;
   QStringList names;
   for (std::size_t i = 0; i < std::min(of.files.size(), mostShown); ++i)
-    names << QString::fromStdString(of.files[i].filename().string());
+    names << (of.files[i] == model::openSceneName
+                  ? tr("what is open")
+                  : QString::fromStdString(of.files[i].filename().string()));
   const int more = int(of.files.size()) - int(names.size());
   const QString list = names.join(QStringLiteral(", "));
   return more > 0 ? tr("%1: %2 and %n more", nullptr, more).arg(number).arg(list)

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/import/naming/laterality.h"
+#include "model/import/plan/other_sides.h"
 #include "model/import/plan/read_inputs.h"
 #include "widgets/import_dialog/scan_slices.h"
 
@@ -19,23 +20,16 @@ void add(StructureFigures& to, const StructureFigures& more) {
 }
 
 void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
-  std::vector<model::NamedPosition> places;
-  std::vector<model::NodeId> ids;
   std::set<std::string> frames;
-  for (const auto& [id, part] : plan.parts) {
-    const model::Node& node = *plan.scene.find(id);
-    // Coordinates that are left as in the file have no sides.
-    if (node.provenance.frame == model::frameName(model::Frame::file))
-      continue;
-    const glm::vec3 centre = figures.nodes[id.value].box.centre();
-    places.push_back({node.name, centre.x, centre.y});
-    ids.push_back(id);
-    frames.insert(node.provenance.frame);
-  }
-  for (const std::size_t i : model::namedForOtherSide(places)) {
-    figures.otherSide.push_back(ids[i]);
-    figures.nodes[ids[i].value].otherSide = true;
-  }
+  const auto [ids, places] = model::sidedPlaces(plan.scene);
+  for (const model::NodeId id : ids)
+    if (plan.parts.contains(id))
+      frames.insert(plan.scene.find(id)->provenance.frame);
+  for (const model::NodeId id : model::onOtherSide(plan.scene))
+    if (plan.parts.contains(id)) {
+      figures.otherSide.push_back(id);
+      figures.nodes[id.value].otherSide = true;
+    }
   const model::FrameVote vote = model::voteOnFrame(places);
   figures.sidesAgree = vote.lps;
   if (frames.size() != 1)

@@ -126,10 +126,13 @@ QString sizeDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
   if (figures.molecules || plan.parts.empty() || size <= 0.0f ||
       (size >= smallest && size <= largest))
     return {};
-  const float now = plan.scene.find(plan.parts.begin()->first)->provenance.mmPerUnit;
+  const model::Provenance& first = plan.scene.find(plan.parts.begin()->first)->provenance;
+  const float now = first.mmPerUnit;
   const QString whole =
       ImportDraft::tr("Everything together is %1 mm large").arg(millimetresText(size));
   for (const ChoiceOf<float>& row : unitRows()) {
+    if (model::isUnitStated(first.unitReason))
+      break;
     const float then = size / now * row.value;
     if (row.value != now && then >= likelyLow && then <= likelyHigh)
       return ImportDraft::tr("%1. If the files are in %2, it is %3 mm.")

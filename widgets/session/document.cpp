@@ -39,13 +39,15 @@ QString titleOf(const std::vector<std::filesystem::path>& paths) {
                           : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
 }
 
-LoadedDocument loadedDocument(model::Imported imported,
-                              const std::vector<std::filesystem::path>& paths) {
-  LoadedDocument loaded{.scene = std::move(imported.scene),
-                        .title = titleOf(paths),
-                        .remarks = remarksOf(imported.report),
-                        .paths = paths,
-                        .unitDoubts = imported.report.unitDoubts};
+LoadedDocument loadedDocument(model::Imported imported, const model::ImportPlan& plan) {
+  LoadedDocument loaded{
+      .scene = std::move(imported.scene),
+      .title = titleOf(plan.inputs),
+      .remarks = remarksOf(imported.report),
+      .paths = plan.inputs,
+      .unitDoubts = imported.report.unitDoubts,
+      .recipes = {std::make_shared<const model::ImportPlan>(model::withoutContents(plan))},
+      .frameAnew = imported.report.frameAnew};
   if (!imported.others.empty())
     loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
                                    std::move(imported.others))};

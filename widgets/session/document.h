@@ -5,10 +5,12 @@
 #include <QStringList>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "model/import/plan/patients.h"
+#include "model/import/plan/plan.h"
 #include "model/import/plan/reload.h"
 #include "widgets/session/document_file.h"
 
@@ -32,6 +34,10 @@ struct PatientQuestion {
   std::function<void(model::PatientsWanted)> goOn;
 };
 
+/// What was imported into a document, and how, so that it can be imported again otherwise; without
+/// what was read.
+using ImportRecipe = std::shared_ptr<const model::ImportPlan>;
+
 /// A scene that is being loaded, and what its reader had to leave out or mend.
 struct LoadedDocument {
   model::Scene scene;
@@ -39,7 +45,12 @@ struct LoadedDocument {
   QStringList remarks;
   std::vector<std::filesystem::path> paths;  ///< the sources; none if the scene was made here
   std::vector<model::UnitDoubt> unitDoubts;
+  std::vector<ImportRecipe> recipes;
+  /// How to read what was assumed of the open scene, now that this is added to it.
+  std::optional<model::FrameAnew> frameAnew;
   std::optional<PatientQuestion> question;  ///< instead of a scene
+  /// Instead of a scene: a plan of scans alone, of which somebody must say what to make.
+  std::shared_ptr<const model::ImportPlan> scans;
   /// New meshes for the open scene, instead of a scene.
   std::optional<std::vector<model::NewMesh>> renewed;
   std::optional<DocumentFile> file;  ///< of a scene file
@@ -54,8 +65,7 @@ struct LoadedDocument {
 /// name.
 QString titleOf(const std::vector<std::filesystem::path>& paths);
 
-/// Returns what was imported from the paths, ready to become a document.
-LoadedDocument loadedDocument(model::Imported imported,
-                              const std::vector<std::filesystem::path>& paths);
+/// Returns what was imported by the plan, ready to become a document.
+LoadedDocument loadedDocument(model::Imported imported, const model::ImportPlan& plan);
 
 }  // namespace sline::widgets

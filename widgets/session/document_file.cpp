@@ -62,6 +62,12 @@ QString reasonOf(const std::vector<std::string>& leftOut) {
                    .arg(first);
 }
 
+/// Keeps a scene that lost something from being saved where it may still be.
+void tellLeftOut(ReadDocument& read) {
+  if (!read.recovered->leftOut.empty())
+    deny(read.file, Writable::newerProgram, reasonOf(read.recovered->leftOut));
+}
+
 }  // namespace
 
 std::optional<model::Fingerprint> stampOf(const fs::path& file) {
@@ -89,10 +95,12 @@ Result<ReadDocument> readDocument(const fs::path& path,
   read.file.path = wholePath(path);
   // The lock comes first, so that what is read then stays what is on the disk.
   lock(read.file, std::move(held));
-  read.file.stamp = stampOf(path);
+  read.file.state = model::fileState(read.file.path);
   Result<model::SceneDocument> document = model::readSceneFile(path);
   if (!document.ok())
     return document.error();
+  read.file.whole = document->whole;
+  read.file.stamp = document->whole ? document->whole : stampOf(path);
   if (document->isNewer())
     deny(read.file, Writable::newerProgram,
          tr("A newer version of the program has written it; what is unknown here is not shown, and "
@@ -119,8 +127,10 @@ Result<ReadDocument> readRecovered(const model::Recoverable& found,
         std::make_shared<const std::vector<model::ZipMember>>(std::move(recovered->rest.others));
   read.recovered = std::move(*recovered);
   // A name without its folder may be that of any file.
-  if (!found.source.file.is_absolute())
+  if (!found.source.file.is_absolute()) {
+    tellLeftOut(read);
     return read;
+  }
   read.file.path = found.source.file;
   read.file.stamp = found.source.saved;
   lock(read.file, std::move(held));
@@ -129,12 +139,21 @@ Result<ReadDocument> readRecovered(const model::Recoverable& found,
     deny(read.file, Writable::changedOnDisk,
          read.file.stamp ? tr("It has changed since the program ended with these changes unsaved")
                          : tr("Whether it has changed since the program ended is not known"));
+  tellLeftOut(read);
   return read;
+}
+
+void takeStamp(DocumentFile& file) {
+  file.state = model::fileState(file.path);
+  file.stamp = stampOf(file.path);
 }
 
 void relock(DocumentFile& file) {
   if (file.path.empty() || file.lock || file.writable == Writable::newerProgram)
     return;
+  // The window waits for this, and a file may be large. Saving compares its content again.
+  if (file.state && file.state == model::fileState(file.path))
+    return lock(file, nullptr);
   // Where there is no file any more, nothing is written over.
   const std::optional<model::Fingerprint> now = stampOf(file.path);
   if (!now || now == file.stamp)

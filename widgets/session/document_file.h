@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/disk/file_state.h"
 #include "model/scene_file/journal.h"
 #include "model/scene_file/scene_file.h"
 
@@ -39,6 +40,9 @@ struct DocumentFile {
   /// The scene as it came in or was saved last; absent if no file has it (it was recovered).
   std::optional<model::Scene> saved;
   std::optional<model::Fingerprint> stamp;      ///< of the file as it was read or written last
+  std::optional<model::FileState> state;        ///< of the file before its stamp was taken
+  /// Of the file, if all that it holds is in the document, as in model::SceneDocument.
+  std::optional<model::Fingerprint> whole;
   std::optional<model::Recoverable> left;       ///< the journal from which it was recovered
   std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
@@ -60,7 +64,11 @@ Result<ReadDocument> readDocument(const std::filesystem::path& path,
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held);
 
-/// Locks the file again after its lock was released, unless it has changed since.
+/// Takes the file's stamp, and the state by which one sees without reading it that it holds.
+void takeStamp(DocumentFile& file);
+
+/// Locks the file again after its lock was released, unless it has changed since. Reads the file
+/// only where the system says that something has changed about it.
 void relock(DocumentFile& file);
 
 /// Tells whether the lock is of this file, under whatever name.

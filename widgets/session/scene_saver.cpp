@@ -104,7 +104,8 @@ SceneSaver::Outcome SceneSaver::carryOut(const SaveTask& task) {
     outcome.error = notSaved(task.path, "another program has changed it since it was opened");
     return outcome;
   }
-  model::SceneDocument document{.scene = *file.saved};
+  model::SceneDocument document{.scene = *file.saved,
+                                .whole = before.stamp ? before.stamp : file.whole};
   if (file.thumbnail)
     document.thumbnail = *file.thumbnail;
   if (file.others)
@@ -116,7 +117,8 @@ SceneSaver::Outcome SceneSaver::carryOut(const SaveTask& task) {
   file.path = task.path;
   file.writable = Writable::yes;
   file.reason.clear();
-  file.stamp = stampOf(task.path);
+  takeStamp(file);
+  file.whole = file.stamp;
   before = {file.stamp, file.lock};
   return outcome;
 }

@@ -96,6 +96,9 @@ class Session : public QObject {
   void openMade(const QString& title, SceneMaker maker);
   /// Returns what speaks against the units of what was opened.
   std::vector<model::UnitDoubt> unitDoubts() const;
+  /// Returns how all that the document was made of was imported; none where some of it was not
+  /// imported, but is a scene file.
+  std::vector<ImportRecipe> recipes() const;
   /// Returns the files and folders that the document was made of, as they were named.
   std::vector<std::filesystem::path> sources() const;
   /// Opens an empty scene.
@@ -130,6 +133,9 @@ class Session : public QObject {
   void failed(const sline::Error& error);
   /// Tells that what was asked for is of several patients and waits for an answer.
   void patientsFound(const sline::widgets::PatientQuestion& question);
+  /// Tells that what was asked for holds scans and nothing else, of which somebody must say what to
+  /// make.
+  void scansFound(const std::shared_ptr<const sline::model::ImportPlan>& plan);
   /// Tells that a scene came in, but parts of it were left out or mended.
   void remarked(const QStringList& remarks);
 
@@ -165,6 +171,7 @@ class Session : public QObject {
   /// The sources by Document::opening, so that they are right after undo, too.
   std::map<int, std::vector<std::filesystem::path>> m_sources;
   std::map<int, std::vector<model::UnitDoubt>> m_unitDoubts;  ///< likewise
+  std::map<int, std::vector<ImportRecipe>> m_recipes;         ///< likewise
   std::map<int, DocumentFile> m_files;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens, adds, reloads and closes what the document is made of.
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "model/edit/look.h"
 #include "model/edit/settled_units.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/read_inputs.h"
 #include "model/import/plan/scene_inputs.h"
 #include "widgets/session/session.h"
 
@@ -58,6 +60,19 @@ model::Scene solid(const model::Scene& scene) {
   return model::withLook(scene, top, {.fill = model::Fill::paper}).scene;
 }
 
+/// Returns a plan of what could not be imported because it holds nothing but scans, for which
+/// nobody has given a threshold; null where that is not so.
+std::shared_ptr<const model::ImportPlan> scansAlone(const std::vector<std::filesystem::path>& paths,
+                                                    const model::ImportOptions& options,
+                                                    const model::ImportProgress& progress) {
+  if (!model::mayHoldScans(paths, options.limits))
+    return nullptr;
+  Result<model::ImportPlan> plan = model::planImport(paths, options, progress);
+  if (!plan.ok() || plan->read->scans.empty())
+    return nullptr;
+  return std::make_shared<const model::ImportPlan>(std::move(*plan));
+}
+
 }  // namespace
 
 void Session::openPaths(std::vector<std::filesystem::path> paths,
@@ -83,10 +98,24 @@ void Session::openPaths(std::vector<std::filesystem::path> paths,
         return Result<LoadedDocument>(
             LoadedDocument{.question = PatientQuestion{std::move(patients), true, again}});
     auto imported = model::importInputs(paths, options, progress);
-    if (!imported)
+    if (!imported) {
+      if (auto scans = scansAlone(paths, options, progress))
+        return Result<LoadedDocument>(LoadedDocument{.scans = std::move(scans)});
       return Result<LoadedDocument>(imported.error());
-    return Result<LoadedDocument>(loadedDocument(std::move(*imported), paths));
+    }
+    return Result<LoadedDocument>(
+        loadedDocument(std::move(*imported), {.inputs = paths, .options = options}));
   });
+}
+
+std::vector<ImportRecipe> Session::recipes() const {
+  const auto found = m_recipes.find(m_document.opening);
+  if (found == m_recipes.end())
+    return {};
+  std::vector<std::filesystem::path> inputs;
+  for (const ImportRecipe& recipe : found->second)
+    inputs.insert(inputs.end(), recipe->inputs.begin(), recipe->inputs.end());
+  return inputs == sources() ? found->second : std::vector<ImportRecipe>();
 }
 
 std::vector<model::UnitDoubt> Session::unitDoubts() const {
@@ -107,10 +136,17 @@ void Session::openRecovered(const model::Recoverable& found) {
 }
 
 void Session::reloadSources() {
-  startJob(m_document.title, [scene = sceneBeforePreview(), places = sources()](
+  const auto isTogether = [](const ImportRecipe& recipe) {
+    return recipe->options.patients == model::PatientsWanted::together;
+  };
+  const std::vector<ImportRecipe>& all = m_recipes[m_document.opening];
+  const auto patients = std::any_of(all.begin(), all.end(), isTogether)
+                            ? model::PatientsWanted::together
+                            : model::PatientsWanted::one;
+  startJob(m_document.title, [scene = sceneBeforePreview(), places = sources(), patients](
                                  const model::ImportProgress& progress, const std::stop_token&) {
     const auto goesOn = [&progress] { return progress(0.0f, {}); };
-    model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn});
+    model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn}, patients);
     return Result<LoadedDocument>(
         LoadedDocument{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
   });
@@ -145,6 +181,7 @@ void Session::open(const LoadedDocument& loaded) {
   cancelPreview();
   m_sources[m_openings + 1] = loaded.paths;
   m_unitDoubts[m_openings + 1] = loaded.unitDoubts;
+  m_recipes[m_openings + 1] = loaded.recipes;
   DocumentFile file = loaded.file.value_or(DocumentFile());
   // What was being edited comes back as it was.
   Document document{.scene = loaded.recovered ? loaded.scene : solid(loaded.scene),
@@ -184,7 +221,9 @@ void Session::restore(const model::Recovered& recovered) {
 
 void Session::add(const LoadedDocument& loaded) {
   cancelPreview();
-  model::Scene together = m_document.scene;
+  model::Scene together = loaded.frameAnew
+                              ? model::withFrameAnew(m_document.scene, *loaded.frameAnew).scene
+                              : m_document.scene;
   std::vector<model::NodeId> fresh;
   for (const auto& [old, id] : model::append(together, solid(loaded.scene)))
     if (old != model::rootId)
@@ -193,6 +232,11 @@ void Session::add(const LoadedDocument& loaded) {
     return;
   std::vector<std::filesystem::path>& sources = m_sources[m_document.opening];
   sources.insert(sources.end(), loaded.paths.begin(), loaded.paths.end());
+  const auto take = [](auto& all, const auto& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  take(m_recipes[m_document.opening], loaded.recipes);
+  take(m_unitDoubts[m_document.opening], loaded.unitDoubts);
   select(fresh);
   if (!loaded.remarks.isEmpty())
     emit remarked(loaded.remarks);
@@ -239,6 +283,8 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     endJob();
     if (loaded.question)
       emit patientsFound(*loaded.question);
+    else if (loaded.scans)
+      emit scansFound(loaded.scans);
     else if (loaded.renewed)
       renew(loaded);
     else if (loaded.added)

@@ -40,12 +40,13 @@ std::vector<MenuRow> menuRows() {
           ids("undo redo | >selectMenu find | copyPicture >styleMenu >sidesMenu | preferences")),
       row("sidesMenu", tr("Left and Ri&ght"), ids("sidesRight | sidesMirror sidesTurn")),
       row("selectMenu", tr("S&elect"),
-          ids("selectAll selectInverse selectSameKind selectOtherSide | selectBox")),
+          ids("selectAll selectInverse selectSameKind selectOtherSide selectInFocus | selectBox")),
       row("structureMenu", tr("&Structure"),
           ids("focus focusNear focusPlace context ghost colour >brushMenu >styleMenu "
               ">hiddenLinesMenu >inheritMenu | "
               ">selectMenu "
-              "| toggle isolate hideOthers showAll zoomTo | rename newGroup group ungroup lock "
+              "| toggle hide isolate hideOthers showAll zoomTo | rename newGroup group ungroup "
+              "lock "
               "properties | remove")),
       row("brushMenu", tr("Paint"), ids("brush | brushSmaller brushLarger | brushErase")),
       row("hiddenLinesMenu", tr("Hi&dden Outlines"),

@@ -107,7 +107,7 @@ void MessageBar::showNotice(const QString& heading, const QString& body, QAction
 void MessageBar::showDone(const QString& heading, const QString& body,
                           const QList<QAction*>& actions, const QStringList& remarks) {
   m_remarks = remarks;
-  display(remarks.isEmpty() ? Kind::done : Kind::remark, heading, remarks.value(0, body));
+  display(remarks.isEmpty() ? Kind::done : Kind::doneInPart, heading, remarks.value(0, body));
   if (!actions.isEmpty())
     offerOn(*m_remedy, *actions.front());
   if (actions.size() > 1)
@@ -141,7 +141,12 @@ void MessageBar::hideError(const Error& error) {
 }
 
 void MessageBar::hideDone() {
-  if (m_kind == Kind::done)
+  if (m_kind == Kind::done || m_kind == Kind::doneInPart)
+    hide();
+}
+
+void MessageBar::hideRemarks() {
+  if (m_kind == Kind::remark)
     hide();
 }
 
@@ -154,21 +159,6 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
   nameControls();
   dress();
   show();
-}
-
-void MessageBar::resizeEvent(QResizeEvent* event) {
-  QFrame::resizeEvent(event);
-  emit covers(isVisible() ? height() : 0);
-}
-
-void MessageBar::hideEvent(QHideEvent* event) {
-  QFrame::hideEvent(event);
-  emit covers(0);
-}
-
-void MessageBar::showEvent(QShowEvent* event) {
-  QFrame::showEvent(event);
-  emit covers(height());
 }
 
 void MessageBar::changeEvent(QEvent* event) {

@@ -12,14 +12,14 @@ class QToolButton;
 
 namespace sline::widgets {
 
-/// Shows a line above the picture that says what went wrong, or what was left out, and stays until
-/// it is closed; the program does not wait for it.
+/// Shows a line above the picture, and never over it, that says what went wrong, or what was left
+/// out, and stays until it is closed or is so no longer; the program does not wait for it.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void showError(const Error& error);
-  /// Shows the first remark, and the others on demand.
+  /// Shows the first remark on what is open, and the others on demand.
   void showRemarks(const QStringList& remarks);
   /// Adds a button for what can be done about the current message; it disappears with the message.
   void offer(QAction& action);
@@ -36,22 +36,17 @@ class MessageBar : public QFrame {
   void hideNotice();
   /// Hides the error, where that is what is shown: it is so no longer.
   void hideError(const Error& error);
-  /// Hides a reported success; other messages stay.
+  /// Hides a reported success, with remarks or without; other messages stay.
   void hideDone();
+  /// Hides remarks on what is open; other messages stay.
+  void hideRemarks();
   QString text() const;
 
- signals:
-  /// Tells how many pixels of what it lies over are covered: its height, 0 while it is hidden.
-  void covers(int pixels);
-
  protected:
-  void resizeEvent(QResizeEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
-  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
-  enum class Kind { error, remark, notice, done };
+  enum class Kind { error, remark, notice, done, doneInPart };
   void display(Kind kind, const QString& heading, const QString& body);
   void dress();
   void offerOn(QPushButton& button, QAction& action);

@@ -152,6 +152,7 @@ std::vector<ActionRow> lookRows() {
        {},
        tr("Hide the selected structures, or show them again (Space in the list)"),
        "toggle"},
+      {QStringLiteral("hide"), tr("Hide"), key(tr("H")), tr("Hide the selected structures")},
       {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")),
        tr("Show the selected structures and nothing else; again: everything"), "isolate"},
       {QStringLiteral("hideOthers"), tr("Hide &Others"), key(tr("Shift+H")),
@@ -188,6 +189,7 @@ std::vector<ActionRow> selectionRows() {
               "again: all of their system")},
           {QStringLiteral("selectOtherSide"), tr("&Other Side"), key(tr("Shift+M")),
            tr("Select what the selected structures are paired with on the other side of the body")},
+          {QStringLiteral("selectInFocus"), tr("In &Focus"), {}, tr("Select what is in focus")},
           {QStringLiteral("selectBox"), tr("By a &Box"), key(tr("B")),
            tr("Drag a box in the picture: to the right what lies within, to the left what it "
               "touches")}};
@@ -298,7 +300,7 @@ std::vector<ActionRow> viewRows() {
        tr("Picture &Time"),
        {},
        tr("How long the last picture took to draw")},
-      {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("H")),
+      {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("?")),
        tr("What the mouse and the keys do")},
       {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
 }

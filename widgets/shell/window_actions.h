@@ -16,6 +16,10 @@ class QWidget;
 
 namespace sline::widgets {
 
+/// The property of a field that keeps Undo and Redo for what is typed in it, even where nothing of
+/// it is left to take back.
+inline constexpr const char* ownUndo = "ownUndo";
+
 struct ActionRow {
   QString id;  ///< also the QAction's objectName
   QString text;

@@ -5,8 +5,30 @@
 #include <unordered_map>
 
 #include "model/anatomy/laterality_words.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
+
+namespace {
+
+/// Tells whether the word is a side; a letter alone begins any word.
+bool isSide(const QString& word) {
+  return word.size() > 1 && model::sideOfWord(word.toLower().toStdString()) != model::Side::none;
+}
+
+/// Returns the words of a name as they are compared, also where capitals alone part them.
+QStringList comparedWords(const QString& name) {
+  QStringList words;
+  for (const std::string& word : model::wordsOf(name.toStdString()))
+    words << searchable(QString::fromStdString(word));
+  return words;
+}
+
+}  // namespace
+
+QString orWord() {
+  return tr("or", "between two wishes of the filter");
+}
 
 QString searchable(const QString& text) {
   QString plain;
@@ -41,7 +63,23 @@ void RowFilter::setNames(StructureNames names) {
 }
 
 bool RowFilter::setText(const QString& text) {
-  QStringList words = searchable(text).split(u' ', Qt::SkipEmptyParts);
+  QString parted = text;
+  for (const char16_t sign : {u'|', u','})
+    parted.replace(QChar(sign), QStringLiteral(" | "));
+  for (const char16_t blank : {u'_', u'-'})
+    parted.replace(QChar(blank), u' ');
+  const QStringList partings{QStringLiteral("|"), QStringLiteral("or"), searchable(orWord())};
+  std::vector<Word> words;
+  std::size_t wish = 0;
+  for (const QString& typed : parted.split(u' ', Qt::SkipEmptyParts)) {
+    const QString word = searchable(typed);
+    const bool begun = !words.empty() && words.back().wish == wish;
+    // "or" may be the beginning of a word where nothing is wished for yet.
+    if (begun ? partings.contains(word) : word == partings.front())
+      wish += begun ? 1 : 0;
+    else
+      words.push_back({word, isSide(typed), wish});
+  }
   if (words == m_words)
     return false;
   m_words = std::move(words);
@@ -68,21 +106,38 @@ const RowFilter::Names& RowFilter::namesOf(const std::string& name) {
     called << words.join(u' ');
   }
   names.text = searchable(called.join(u'\n'));
+  for (const QString& shown : {key, m_names.shown ? m_names.shown(key) : QString()})
+    for (const QString& word : comparedWords(shown))
+      names.words << word;
   return *m_known.insert(key, std::move(names));
+}
+
+bool RowFilter::satisfied(const std::vector<bool>& found) const {
+  if (m_words.empty())
+    return true;
+  for (std::size_t i = 0; i < m_words.size();) {
+    const std::size_t wish = m_words[i].wish;
+    bool all = true;
+    for (; i < m_words.size() && m_words[i].wish == wish; ++i)
+      all = all && found[i];
+    if (all)
+      return true;
+  }
+  return false;
 }
 
 RowFilter::Left RowFilter::apply(const model::Scene& scene) {
   // Words that are found in a group hold for all below it.
   std::unordered_map<std::uint64_t, std::vector<bool>> found;
-  const auto count = std::size_t(m_words.size());
+  const std::size_t count = m_words.size();
   found[model::rootId.value] = std::vector<bool>(count);
   Left left;
   for (const model::Node& node : scene.nodes()) {
     std::vector<bool> words = found.at(node.parent.value);
     const Names& names = namesOf(node.name);
     for (std::size_t i = 0; i < count; ++i)
-      words[i] = words[i] || names.have(m_words[qsizetype(i)]);
-    if (std::all_of(words.begin(), words.end(), [](bool there) { return there; })) {
+      words[i] = words[i] || names.have(m_words[i]);
+    if (satisfied(words)) {
       left.rows.insert(node.id.value);
       if (!node.isGroup())
         left.structures.push_back(node.id);

@@ -69,6 +69,7 @@ void StructureActions::connectLooks() {
   for (const InheritRow& row : inheritRows())
     on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.which); });
   on("toggle", [this] { toggleShown(m_session, m_session.selection()); });
+  on("hide", [this] { hide(m_session, m_session.selection()); });
   on("isolate", [this] { isolate(m_session, m_session.selection()); });
   on("hideOthers", [this] { hideOthers(m_session, m_session.selection()); });
   on("showAll", [this] { showAll(m_session); });
@@ -84,6 +85,7 @@ void StructureActions::connectSelection() {
   on("selectInverse", [this] { selectInverse(m_session); });
   on("selectSameKind", [this] { selectSameKind(m_session); });
   on("selectOtherSide", [this] { selectOtherSide(m_session); });
+  on("selectInFocus", [this] { m_session.select(m_session.scene().focus().targets); });
   on("selectBox", [this] { m_viewport.drawBox(); });
 }
 
@@ -116,8 +118,8 @@ void StructureActions::showState() {
     return scene.find(id) != nullptr;
   });
   const bool free = any && !model::editable(scene, ids).empty();
-  for (const char* id : {"toggle", "isolate", "hideOthers", "zoomTo", "lock", "properties", "focus",
-                         "selectSameKind", "selectOtherSide"})
+  for (const char* id : {"toggle", "hide", "isolate", "hideOthers", "zoomTo", "lock", "properties",
+                         "focus", "selectSameKind", "selectOtherSide"})
     m_actions[QLatin1String(id)].setEnabled(any);
   for (const char* id : {"context", "ghost", "colour", "rename", "group", "remove"})
     m_actions[QLatin1String(id)].setEnabled(free);
@@ -133,6 +135,7 @@ void StructureActions::showState() {
                           [&](model::NodeId id) { return scene.find(id)->isGroup(); }));
   for (const char* id : {"newGroup", "selectAll", "selectInverse", "selectBox"})
     m_actions[QLatin1String(id)].setEnabled(!scene.nodes().empty());
+  m_actions[QStringLiteral("selectInFocus")].setEnabled(!scene.focus().targets.empty());
   m_actions[QStringLiteral("lock")].setChecked(
       any && std::all_of(ids.begin(), ids.end(),
                          [&](model::NodeId id) { return scene.find(id)->locked; }));

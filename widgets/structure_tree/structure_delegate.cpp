@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "widgets/structure_tree/cell_painting.h"
+#include "widgets/structure_tree/elided_name.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::widgets {
@@ -31,6 +32,8 @@ void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   const auto shown = model::Visibility(index.data(Model::shownRole).toInt());
   if (index.column() == Model::name && shown == model::Visibility::none)
     look.palette.setColor(QPalette::Text, look.palette.color(QPalette::Disabled, QPalette::Text));
+  if (index.column() == Model::name)
+    look.text = nameIn(look, index);
   // The row has one highlight; a frame around a single cell has no meaning here.
   look.state &= ~QStyle::State_HasFocus;
   const QStyle* style = look.widget ? look.widget->style() : QApplication::style();
@@ -65,6 +68,31 @@ void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
                 .locked = lock != RowLock::open},
                palette);
   painter->restore();
+}
+
+QString StructureDelegate::nameIn(const QStyleOptionViewItem& look,
+                                  const QModelIndex& index) const {
+  const QStyle& style = look.widget ? *look.widget->style() : *QApplication::style();
+  // As wide as QCommonStyle writes.
+  const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &look, look.widget) + 1;
+  const int width = style.subElementRect(QStyle::SE_ItemViewItemText, &look, look.widget).width() -
+                    2 * margin - 1;
+  if (look.fontMetrics.horizontalAdvance(look.text) <= width)
+    return look.text;
+  Shown& shown = m_shown[index.internalId()];
+  if (shown.name == look.text && shown.width == width)
+    return shown.text;
+  QStringList& together = m_together[index.parent().internalId()];
+  if (together.isEmpty())
+    for (int row = 0; row < index.model()->rowCount(index.parent()); ++row)
+      together << index.siblingAtRow(row).data().toString();
+  shown = {look.text, width, elidedName(look.text, together, look.fontMetrics, width)};
+  return shown.text;
+}
+
+void StructureDelegate::forgetNames() {
+  m_together.clear();
+  m_shown.clear();
 }
 
 QWidget* StructureDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,

@@ -40,9 +40,13 @@ void toggleShown(Session& session, const NodeIds& ids) {
     return model::visibilityOf(scene, id) == model::Visibility::all;
   });
   if (all)
-    session.apply(tr("Hide"), model::withHidden(scene, ids));
+    hide(session, ids);
   else
     session.apply(tr("Show"), model::withShown(scene, ids));
+}
+
+void hide(Session& session, const NodeIds& ids) {
+  session.apply(tr("Hide"), model::withHidden(session.scene(), ids));
 }
 
 void toggleLocked(Session& session, const NodeIds& ids) {

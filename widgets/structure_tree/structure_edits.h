@@ -8,6 +8,8 @@
 
 namespace sline::widgets {
 
+/// Hides the nodes.
+void hide(Session& session, const NodeIds& ids);
 /// Hides the nodes if all of them are shown, else shows them.
 void toggleShown(Session& session, const NodeIds& ids);
 /// Locks the nodes, or unlocks them if each is locked.

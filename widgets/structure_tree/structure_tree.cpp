@@ -12,6 +12,8 @@
 #include "model/edit/look.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/session/colour_dialog.h"
+#include "widgets/shell/window_actions.h"
+#include "widgets/structure_tree/row_filter.h"
 #include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 
@@ -27,8 +29,11 @@ StructureTree::StructureTree(Session& session, QWidget* parent)
   m_filter->setAccessibleName(tr("Filter structures by name"));
   m_filter->setPlaceholderText(tr("Filter by name"));
   m_filter->setToolTip(
-      tr("Words in any order. Enter selects all that match, Down goes to the "
-         "list, Escape shows all again."));
+      tr("Words in any order; “%1” or a comma between them finds either. Enter selects all that "
+         "match, Down goes to the list, Escape shows all again.")
+          .arg(orWord()));
+  // What was typed to find something is no step of the scene.
+  m_filter->setProperty(ownUndo, true);
   m_filter->setClearButtonEnabled(true);
   m_filter->installEventFilter(this);
   m_count->setObjectName(QStringLiteral("filterCount"));

@@ -29,7 +29,14 @@ StructureTreeView::StructureTreeView(Session& session, QWidget* parent)
   setObjectName(QStringLiteral("structureTree"));
   setAccessibleName(tr("Structures"));
   setModel(m_model);
-  setItemDelegate(new StructureDelegate(this));
+  auto* delegate = new StructureDelegate(this);
+  setItemDelegate(delegate);
+  connect(m_model, &Model::rearranged, delegate, &StructureDelegate::forgetNames);
+  connect(m_model, &Model::dataChanged, delegate,
+          [delegate](const QModelIndex& first, const QModelIndex& last) {
+            if (first.column() <= Model::name && last.column() >= Model::name)
+              delegate->forgetNames();
+          });
   setTreePosition(Model::name);
   setUniformRowHeights(true);
   // What tells long names apart, a side or a number, stands at their end.

@@ -32,6 +32,23 @@ constexpr const char* doubtRows[] = {
     QT_TRANSLATE_NOOP("Told", "no usual unit would make it right"),
     QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 mm"),
     QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 or %2 mm"),
+    QT_TRANSLATE_NOOP("Told", "its unit is stated (%1) and was followed"),
+    QT_TRANSLATE_NOOP("Told", "%1 lies on the other side than its name says"),
+    QT_TRANSLATE_NOOP("Told", "%1 lie on the other side than their names say"),
+    QT_TRANSLATE_NOOP("Told",
+                      "molecules are drawn with 1 Å as 1 mm, ten million times as large as \"%1\" "
+                      "beside them; no scale bar holds for both, so open them apart"),
+    QT_TRANSLATE_NOOP("Told", "SlicerRT's segmentations are RAS"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image, which are not as "
+                      "many as it has; it was placed as if its origin were its own"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image, and an offset in "
+                      "it, as files with an origin of their own do; it was placed by its origin "
+                      "alone"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image; its origin was "
+                      "taken to be that image's"),
     QT_TRANSLATE_NOOP("Told", "\"%1\" is flat: it has no extent in a direction"),
     QT_TRANSLATE_NOOP("Told",
                       "\"%1\" beside it gives none of its labels a name that is understood"),
@@ -53,6 +70,29 @@ constexpr const char* doubtRows[] = {
                       "files of one patient lie in different frames of reference: nothing says "
                       "that what is laid over each other fits"),
     QT_TRANSLATE_NOOP("Told", "it is of another patient than the other files now"),
+    QT_TRANSLATE_NOOP("Told", "the files are of %1 patients: %2"),
+    QT_TRANSLATE_NOOP(
+        "Told", "the files are of %1 studies, and nothing says that they are of one patient: %2"),
+    QT_TRANSLATE_NOOP("Told", "Give the files of one patient, or put them together on purpose"),
+    QT_TRANSLATE_NOOP("Told", "it came from more than %1 studies"),
+    QT_TRANSLATE_NOOP("Told", "what was there already is read as %1 now: %2"),
+    QT_TRANSLATE_NOOP("Told", "left and right of what was there already are certain now: %1"),
+    QT_TRANSLATE_NOOP("Told",
+                      "words that may be a person's were left out of %1 structure's name, which "
+                      "come from those of files"),
+    QT_TRANSLATE_NOOP("Told",
+                      "words that may be a person's were left out of %1 structures' names, which "
+                      "come from those of files"),
+    QT_TRANSLATE_NOOP("Told", "is a scan rather than a label volume: %1"),
+    QT_TRANSLATE_NOOP("Told",
+                      "Give a threshold that makes a structure of it, or choose the segmentation "
+                      "that was made of it"),
+    QT_TRANSLATE_NOOP("Told",
+                      "Structures come from a DICOM segmentation or RT structure set, from label "
+                      "maps and meshes made of the images, or from a threshold"),
+    QT_TRANSLATE_NOOP("Told", "Name one of the scene's saved views"),
+    QT_TRANSLATE_NOOP("Told", "Change it in the figure's file"),
+    QT_TRANSLATE_NOOP("Told", "Save it as a scene file, and name it with its ending .sline"),
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ MarkedScene markedScene(const model::Scene& scene) {
   return {.any = !scene.nodes().empty(),
           .sides = knownSides(scene),
           .unit = drawnUnit(scene),
-          .middle = render::scalePlace(scene)};
+          .scale = render::scalePlaces(scene)};
 }
 
 void PictureMarks::choose(const MarkChoice& choice) {
@@ -85,7 +85,7 @@ void PictureMarks::dress() {
 QRect PictureMarks::cornerBox(const QSize& size, Qt::Corner corner) const {
   QRect box(QPoint(), size);
   const QRect room =
-      m_picture.rect().adjusted(marksMargin, m_headroom + marksMargin, -marksMargin, -marksMargin);
+      m_picture.rect().adjusted(marksMargin, marksMargin, -marksMargin, -marksMargin);
   if (corner == Qt::TopRightCorner)
     box.moveTopRight(room.topRight());
   else if (corner == Qt::BottomRightCorner)
@@ -105,8 +105,6 @@ std::vector<QRectF> PictureMarks::places() const {
     constexpr qreal air = 4.0;
     places.push_back(QRectF(box).adjusted(-air, -air, air, air));
   };
-  if (m_headroom > 0)
-    add({0, 0, m_picture.width(), m_headroom});
   if (!m_covered.isEmpty())
     add(m_covered);
   if (m_choice.cube)
@@ -136,7 +134,7 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
   else if (edge == 1)
     box.moveRight(m_picture.width() - marksMargin);
   else if (edge == 2)
-    box.moveTop(m_headroom + marksMargin);
+    box.moveTop(marksMargin);
   else
     box.moveBottom(m_picture.height() - marksMargin);
 }
@@ -149,11 +147,14 @@ void PictureMarks::place(const model::Camera& camera, const MarkedScene& scene) 
   placeLetters(camera, scene.sides);
   m_cube->setCamera(camera, scene.sides);
   placeCorner(*m_cube, Qt::TopRightCorner);
+  const std::optional<render::ScalePlace> scale = scene.scale.in(camera);
+  const bool perspective = camera.projection == model::Projection::perspective;
   m_scaleBar->show(
-      scene.middle
-          ? render::scaleLength(camera, *scene.middle, m_picture.height(), ScaleBarMark::most)
-          : std::nullopt,
-      {.unit = scene.unit, .atMidDepth = camera.projection == model::Projection::perspective});
+      scale ? render::scaleLength(camera, scale->at, m_picture.height(), ScaleBarMark::most)
+            : std::nullopt,
+      {.unit = scene.unit,
+       .atMidDepth = perspective,
+       .atCutFace = perspective && scale && scale->onCutFace});
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
   choose(m_choice);

@@ -28,7 +28,7 @@ struct MarkedScene {
   bool any = false;  ///< it holds something
   model::KnownSides sides{.any = false, .evidence = {}};
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
-  std::optional<glm::vec3> middle;  ///< where the scale bar is true: render::scalePlace
+  render::ScalePlaces scale;  ///< where the scale bar is true
   bool operator==(const MarkedScene&) const = default;
 };
 MarkedScene markedScene(const model::Scene& scene);
@@ -47,8 +47,6 @@ class PictureMarks : public QObject {
   /// Places the marks for the camera; without a scene there is nothing to mark. Where nobody knows
   /// the scene's sides there are no letters; those in doubt have a question mark.
   void place(const model::Camera& camera, const MarkedScene& scene);
-  /// Sets how many pixels at the upper edge are covered by something else.
-  void setHeadroom(int pixels) { m_headroom = pixels; }
   /// Makes the letters grow with the picture's height, and keeps labels off the covered rectangle.
   void setPresented(bool presented, const QRect& covered);
   /// Returns the places, in pixels and with some space around them, where marks stand or may stand,
@@ -71,7 +69,6 @@ class PictureMarks : public QObject {
   QWidget& m_picture;
   MarkChoice m_choice;
   bool m_scene = false;
-  int m_headroom = 0;
   bool m_dark = false;
   bool m_presented = false;
   QRect m_covered;

@@ -23,8 +23,11 @@ ScaleBarMark::ScaleBarMark(QWidget* parent) : QWidget(parent) {
 void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, const ScaleWords& words) {
   m_bar = bar;
   m_text = bar ? render::lengthText(bar->millimetres, QLocale(), words.unit) : QString();
-  if (bar && words.atMidDepth)
-    m_text = render::MarkWords(QLocale().bcp47Name().toStdString(), {}).atMidDepth(m_text);
+  const render::MarkWords said(QLocale().bcp47Name().toStdString(), {});
+  if (bar && words.atCutFace)
+    m_text = said.atCutFace(m_text);
+  else if (bar && words.atMidDepth)
+    m_text = said.atMidDepth(m_text);
   setAccessibleName(bar ? tr("Scale: %1").arg(m_text) : QString());
   update();
 }
@@ -35,9 +38,11 @@ void ScaleBarMark::setInk(const QColor& ink) {
 }
 
 QSize ScaleBarMark::sizeHint() const {
-  const QString widest = render::MarkWords(QLocale().bcp47Name().toStdString(), {})
-                             .atMidDepth(QStringLiteral("500 mm?"));
-  const int words = fontMetrics().horizontalAdvance(widest) + 8;
+  const render::MarkWords said(QLocale().bcp47Name().toStdString(), {});
+  const QString longest = QStringLiteral("500 mm?");
+  const int words = std::max(fontMetrics().horizontalAdvance(said.atMidDepth(longest)),
+                             fontMetrics().horizontalAdvance(said.atCutFace(longest))) +
+                    8;
   return {std::max(most, words) + 2 * barMargin, fontMetrics().height() + tick + 2 * barMargin};
 }
 

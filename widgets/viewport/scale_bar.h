@@ -12,6 +12,7 @@ namespace sline::widgets {
 struct ScaleWords {
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
   bool atMidDepth = false;  ///< the length is true only there
+  bool atCutFace = false;   ///< likewise
 };
 
 /// Shows the bar with its length, in the picture's lower left corner.

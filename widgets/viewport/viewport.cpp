@@ -85,7 +85,7 @@ void Viewport::setBackground(render::Background background) {
   m_screen->setPaper(paper());
   m_marks->setBackground(background);
   const bool dark = background == render::Background::dark;
-  m_labels->setDark(dark);
+  m_labels->setGround(background);
   for (const std::unique_ptr<Tool>& tool : m_added)
     tool->setDark(dark);
   refresh();
@@ -102,12 +102,6 @@ void Viewport::setKeyLight(bool on) {
     return;
   m_keyLight = on;
   refresh();
-}
-
-void Viewport::setHeadroom(int pixels) {
-  m_marks->setHeadroom(pixels);
-  placeMarks();
-  labelsGiveWay();
 }
 
 void Viewport::chooseMarks(const MarkChoice& choice) {

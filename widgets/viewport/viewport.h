@@ -83,8 +83,6 @@ class Viewport : public QWidget, public ViewControl {
   /// Makes labels and letters grow with the picture's height, to be read from afar. `covered`:
   /// pixels that something else takes; labels keep clear of them.
   void setPresented(bool presented, const QRect& covered = {});
-  /// Sets how many pixels at the upper edge are covered; marks keep clear of them.
-  void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
   PictureLabels& labels() { return *m_labels; }
   /// Asks what is seen at that pixel of the picture; the answer comes later.
@@ -142,6 +140,8 @@ class Viewport : public QWidget, public ViewControl {
   enum class ClickFor { selection, addition, deeper, nearer, pivot, menu };
   void openGraphics();
   void closeGraphics();
+  /// Rebuilds them once the events under way are done, however often it is asked for until then.
+  void rebuildSoon();
   void rebuildGraphics();
   void refresh();
   void refresh(model::Scene scene);
@@ -193,6 +193,7 @@ class Viewport : public QWidget, public ViewControl {
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<PictureScreen> m_screen;
   std::unique_ptr<RenderThread> m_thread;
+  bool m_toRebuild = false;        ///< was asked for and is about to happen
   bool m_rebuilt = false;          ///< since the last picture that was drawn
   std::optional<Error> m_failure;  ///< why the last one was not, as it was told
 

@@ -58,11 +58,17 @@ void Viewport::failure(const Error& error) {
     return;
   }
   m_rebuilt = true;
+  rebuildSoon();
+}
+
+void Viewport::rebuildSoon() {
   // Graphics must not be rebuilt within a signal of the thread that is then destroyed.
-  QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+  if (!std::exchange(m_toRebuild, true))
+    QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
 }
 
 void Viewport::rebuildGraphics() {
+  m_toRebuild = false;
   if (!m_thread)
     return;
   closeGraphics();
@@ -84,7 +90,7 @@ void Viewport::refresh(model::Scene scene) {
     return;
   if (m_thread->isFinished() && !m_moving) {
     // It could not draw, and said so; perhaps it can by now.
-    QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+    rebuildSoon();
     return;
   }
   // A moving section keeps to the fineness of the camera's moves, because another draws everything

@@ -54,6 +54,8 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
   connect(m_quiz, &PresentedQuiz::changed, this, &Presentation::quizChange);
   connect(&viewport, &Viewport::previewed, this, &Presentation::took);
   connect(&viewport, &Viewport::pictureShown, this, &Presentation::placeLinks);
+  connect(&viewport, &Viewport::pictureShown, this, &Presentation::beginQuiz);
+  connect(&viewport.labels(), &PictureLabels::sighted, this, &Presentation::beginQuiz);
   window.installEventFilter(this);
   viewport.installEventFilter(this);
 }
@@ -141,6 +143,7 @@ void Presentation::end() {
     return;
   const Before before = *m_before;
   m_before.reset();
+  m_quizAwaited = false;
   m_quiz->end();
   m_lit.reset();
   m_viewport.light(std::nullopt);
@@ -200,6 +203,7 @@ model::Scene Presentation::seen(std::size_t labels) const {
 void Presentation::show(int index, std::size_t labels) {
   m_at = std::clamp(index, 0, count() - 1);
   m_revealed = labels;
+  m_quizAwaited = false;
   m_lit.reset();
   m_viewport.light(std::nullopt);
   m_board->wipe();

@@ -81,6 +81,8 @@ class Presentation : public QObject {
   void blank(bool black);
   void toggleReveal();
   void toggleQuiz();
+  /// Begins the quiz that was asked for, once the picture of its view tells what one sees there.
+  void beginQuiz();
   void quizChange();
   void key(const QKeyEvent& event);
   /// Tells whether the picture must not hear of the event.
@@ -111,6 +113,7 @@ class Presentation : public QObject {
   int m_at = 0;
   int m_number = -1;             ///< that was typed to jump to; below 0 for none
   bool m_revealing = false;      ///< labels come one by one
+  bool m_quizAwaited = false;    ///< was asked for
   std::size_t m_revealed = all;  ///< how many of the view's labels are shown
   std::optional<QPointF> m_pressed;
   std::optional<model::NodeId> m_lit;  ///< by a link

@@ -82,8 +82,23 @@ void Presentation::toggleQuiz() {
     quizChange();
     return;
   }
-  m_board->wipe();
+  // What is asked for depends on which labels one sees, so that all must have been laid out; the
+  // picture may still be of another view, or without them.
   m_lit.reset();
+  m_quizAwaited = !m_quizAwaited;
+  const model::Scene wanted = seen(m_quizAwaited ? all : m_revealed);
+  if (!(m_viewport.shownScene() == wanted))
+    m_viewport.showInstead(wanted);
+  beginQuiz();
+}
+
+void Presentation::beginQuiz() {
+  if (!running() || !m_quizAwaited || !m_viewport.upToDate())
+    return;
+  m_quizAwaited = false;
+  if (!(m_viewport.shownScene() == seen(all)))
+    return;  // something else was asked for since
+  m_board->wipe();
   m_board->setPointing(PresentationBoard::Pointing::mouse);
   laser(std::nullopt);
   const model::Scene asked = withoutHidden(seen(all), m_viewport.labels().sights());

@@ -75,7 +75,7 @@ void ViewCaption::paintEvent(QPaintEvent*) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   painter.translate(-pos());
   painter.scale(qreal(wish.pixelsPerMm), qreal(wish.pixelsPerMm));
-  render::paintLettering(painter, {.ground = render::letteringColours(wish.style.onDark).ground,
+  render::paintLettering(painter, {.ground = render::letteringColours(wish.style.ground).ground,
                                    .items = {m_caption->item}});
 }
 

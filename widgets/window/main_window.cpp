@@ -131,8 +131,12 @@ void MainWindow::placeMessage(bool onStartPage) {
   if (onStartPage)
     m_start->messagePlace().addWidget(m_message);
   else
-    static_cast<QGridLayout*>(centralWidget()->layout())->addWidget(m_message, 0, 0, Qt::AlignTop);
-  m_message->raise();
+    static_cast<QGridLayout*>(centralWidget()->layout())->addWidget(m_message, 0, 0);
+}
+
+void MainWindow::refuse(const Error& error) {
+  m_refused = error;
+  m_message->showError(error);
 }
 
 void MainWindow::connectSession() {
@@ -141,10 +145,23 @@ void MainWindow::connectSession() {
             // What was said of another document, or of opening it, is not so of this one.
             if (before.opening != now.opening)
               m_message->hide();
+            // Of what has changed since, something else may be so.
+            if (const auto error = std::exchange(m_refused, std::nullopt))
+              m_message->hideError(*error);
             documentChange(before, now);
           });
-  connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
-  connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
+  connect(&m_session, &Session::failed, this, [this](const Error& error) {
+    // What tells of no file is an edit that was refused.
+    error.file.empty() ? refuse(error) : m_message->showError(error);
+  });
+  connect(&m_session, &Session::remarked, this, [this](const QStringList& remarks) {
+    m_remarkedAt = m_session.history().index();
+    m_message->showRemarks(remarks);
+  });
+  connect(&m_session.history(), &QUndoStack::indexChanged, this, [this](int at) {
+    if (at < m_remarkedAt)
+      m_message->hideRemarks();
+  });
   connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
     m_message->hide();
     m_job->setText(tr("Opening %1").arg(title));

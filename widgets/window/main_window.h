@@ -92,6 +92,8 @@ class MainWindow : public QMainWindow {
   /// Shows the start page while nothing is open or being opened.
   void showStart();
   void placeMessage(bool onStartPage);
+  /// Says why an edit was not made, until another one is.
+  void refuse(const Error& error);
   void openDropped(const QStringList& paths, Qt::KeyboardModifiers keys);
   void documentChange(const Document& before, const Document& now);
   void updateActions();
@@ -106,6 +108,8 @@ class MainWindow : public QMainWindow {
   bool m_sized = false;        ///< panels have been given their sizes
   QObject* m_parts = nullptr;  ///< owns what belongs to the controls, and is deleted with them
   MessageBar* m_message = nullptr;
+  std::optional<Error> m_refused;  ///< what the message says of an edit, or has said
+  int m_remarkedAt = 0;            ///< the step of the history that was remarked on last
   Viewport* m_viewport = nullptr;
   NearTool* m_nearness = nullptr;  ///< belongs to the viewport, as does the brush
   BrushTool* m_brush = nullptr;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/import/plan/other_sides.h"
 #include "model/scene/known_frame.h"
 #include "widgets/text/told.h"
 
@@ -61,11 +62,11 @@ void SidesActions::makeBar(QGridLayout& centre) {
     button->setToolTip(action.statusTip());
     connect(button, &QPushButton::clicked, &action, &QAction::trigger);
     row->addWidget(button);
-    return button;
+    m_answers[std::size_t(answer)] = button;
   };
   addButton(model::SideAnswer::right, tr("Sides are right"));
   addButton(model::SideAnswer::mirror, tr("Mirror"));
-  m_turn = addButton(model::SideAnswer::turn, tr("Turn"));
+  addButton(model::SideAnswer::turn, tr("Turn"));
   auto* close = new QToolButton;
   close->setObjectName(QStringLiteral("closeSidesBar"));
   close->setText(QStringLiteral("✕"));
@@ -77,8 +78,7 @@ void SidesActions::makeBar(QGridLayout& centre) {
     showState();
   });
   row->addWidget(close);
-  centre.addWidget(m_bar, 1, 0);
-  centre.setRowStretch(0, 1);
+  centre.addWidget(m_bar, centre.rowCount(), 0);
 }
 
 void SidesActions::settle(model::SideAnswer answer) {
@@ -98,14 +98,28 @@ QString SidesActions::question() const {
   const bool conflict =
       first != nodes.end() && first->provenance.evidence.sides == model::Evidence::conflict;
   const QString what =
-      conflict ? tr("Left and right are not certain: names or places contradict the frame.")
-               : tr("Left and right are not certain: they were assumed.");
+      model::isOnlyFrontDoubted(m_session.scene())
+          ? tr("Front and back are not certain: names tell left and right alone.")
+      : conflict ? tr("Left and right are not certain: names or places contradict the frame.")
+                 : tr("Left and right are not certain: they were assumed.");
   if (first == nodes.end())
     return what;
   return what + QLatin1Char(' ') +
          tr("Read as %1 (%2).")
              .arg(QString::fromStdString(first->provenance.frame),
                   told(first->provenance.frameReason));
+}
+
+const std::string& SidesActions::otherSides() {
+  std::vector<std::pair<std::string, model::MeshPtr>> now;
+  for (const model::Node& node : m_session.scene().nodes())
+    if (!node.isGroup())
+      now.emplace_back(node.name, node.mesh);
+  if (now != m_comparedOf) {
+    m_comparedOf = std::move(now);
+    m_otherSides = model::otherSidesText(m_session.scene());
+  }
+  return m_otherSides;
 }
 
 void SidesActions::showState() {
@@ -122,10 +136,19 @@ void SidesActions::showState() {
   actionOf(m_actions, model::SideAnswer::right).setEnabled(doubted);
   actionOf(m_actions, model::SideAnswer::mirror).setEnabled(any);
   actionOf(m_actions, model::SideAnswer::turn).setEnabled(any);
-  m_turn->setVisible(std::any_of(nodes.begin(), nodes.end(), frontDoubted));
+  const std::string& other = otherSides();
+  for (QPushButton* answer : m_answers)
+    answer->setVisible(doubted);
+  m_answers[std::size_t(model::SideAnswer::turn)]->setVisible(
+      std::any_of(nodes.begin(), nodes.end(), frontDoubted) && !model::isOnlyFrontDoubted(scene));
+  QStringList says;
   if (doubted)
-    m_question->setText(question());
-  m_bar->setVisible(doubted && m_closedFor != m_session.document().opening);
+    says << question();
+  if (!other.empty())
+    says << told(other) + QLatin1Char('.');
+  if (!says.isEmpty())
+    m_question->setText(says.join(QLatin1Char('\n')));
+  m_bar->setVisible(!says.isEmpty() && m_closedFor != m_session.document().opening);
 }
 
 }  // namespace sline::widgets

@@ -23,6 +23,8 @@ bool takesBack(const QTextDocument& text) {
 
 /// Tells whether a text is being typed that the field can take back by itself.
 bool isTyping(const QWidget& widget) {
+  if (widget.property(ownUndo).toBool())
+    return true;
   if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget)) {
     const QLineEdit* line = lineOf(widget);
     return line && line->isModified() && isTyping(*line);

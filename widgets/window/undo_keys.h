@@ -11,7 +11,9 @@ namespace sline::widgets {
 class WindowActions;
 
 /// Leads the keys of Undo and Redo to the scene wherever the keyboard is. Only a field in which a
-/// text is being typed keeps them, as long as it has something to take back itself.
+/// text is being typed keeps them, as long as it has something to take back itself – or always,
+/// where it holds nothing of the scene
+/// (`ownUndo`).
 class UndoKeys : public QObject {
   Q_OBJECT
  public:

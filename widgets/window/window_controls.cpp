@@ -76,7 +76,7 @@ void MainWindow::makeCentre() {
   m_viewport->addTool(std::move(brush));
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
-  connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
+  connect(m_focus, &FocusContext::failed, this, &MainWindow::refuse);
   // The picture's shape may have changed since the look was asked for, as while panels fill.
   connect(m_focus, &FocusContext::lookChosen, m_viewport, [this](const model::OpeningLook& look) {
     m_viewport->flyTo(
@@ -89,15 +89,14 @@ void MainWindow::makeCentre() {
     prepareBackground(m_preferences, *style);
     m_focus->openWith(*style, pictureAspect());
   });
-  connect(m_message, &MessageBar::covers, m_viewport, &Viewport::setHeadroom);
   auto* centre = new QWidget;
   auto* layout = new QGridLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
-  // A message lies over the picture's upper edge, because pushing the picture down would draw it
-  // anew.
-  layout->addWidget(m_viewport, 0, 0);
-  layout->addWidget(m_message, 0, 0, Qt::AlignTop);
-  m_message->raise();
+  layout->setSpacing(0);
+  // What is said stands beside the picture: it would hide anatomy if it lay over it.
+  layout->addWidget(m_message, 0, 0);
+  layout->addWidget(m_viewport, 1, 0);
+  layout->setRowStretch(1, 1);
   setCentralWidget(centre);
 }
 
@@ -179,7 +178,7 @@ void MainWindow::makeMenus() {
   new StyleActions(m_session, m_actions, m_parts);
   new BrushActions(m_session, *m_brush, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
-  connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
+  connect(m_sections, &SectionActions::refused, this, &MainWindow::refuse);
   new SidesActions(m_session, m_actions, *static_cast<QGridLayout*>(centralWidget()->layout()),
                    m_parts);
   m_sections->fillAddMenu(findChild<SectionsPanel*>()->addButton());

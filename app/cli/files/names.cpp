@@ -2,6 +2,7 @@
 #include "app/cli/files/names.h"
 
 #include <algorithm>
+#include <set>
 
 #include "model/anatomy/anatomical_names.h"
 
@@ -26,7 +27,41 @@ std::vector<model::NodeId> alsoCalled(const model::Scene& scene, std::string_vie
   return ids;
 }
 
+/// Returns "Miller / left kidney": the name behind the groups that hold the structure.
+std::string pathOf(const model::Scene& scene, model::NodeId id) {
+  const std::string groups = scene.groupPath(id);
+  const std::string& name = scene.find(id)->name;
+  return groups.empty() ? name : groups + " / " + name;
+}
+
+std::vector<model::NodeId> ofPath(const model::Scene& scene, std::string_view path) {
+  const std::string wanted = model::normalisedName(path);
+  std::vector<model::NodeId> ids;
+  if (path.find('/') != std::string_view::npos)
+    for (const model::Node& node : scene.nodes())
+      if (model::normalisedName(pathOf(scene, node.id)) == wanted)
+        ids.push_back(node.id);
+  return ids;
+}
+
 }  // namespace
+
+Error ambiguousName(const model::Scene& scene, std::string_view name,
+                    std::span<const model::NodeId> ids) {
+  constexpr std::size_t shown = 8;
+  std::string paths;
+  std::set<std::string> different;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::string path = onOneLine(pathOf(scene, ids[i]));
+    different.insert(path);
+    if (i < shown)
+      paths += (i == 0 ? "\"" : ", \"") + path + '"';
+  }
+  return {.reason = "\"" + std::string(name) + "\" names " + std::to_string(ids.size()) +
+                    " structures, and one is meant: " + paths + (ids.size() > shown ? ", …" : ""),
+          .remedy = different.size() == ids.size() ? "Name one of them as it stands there"
+                                                   : "Give them different names first"};
+}
 
 Error unknownName(std::string_view what, std::string_view name,
                   std::span<const std::string> names) {
@@ -41,6 +76,8 @@ Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::st
   std::vector<model::NodeId> ids = scene.named(name);
   if (ids.empty())
     ids = alsoCalled(scene, name);
+  if (ids.empty())
+    ids = ofPath(scene, name);
   if (!ids.empty())
     return ids;
   std::vector<std::string> names;

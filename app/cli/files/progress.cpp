@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "app/cli/files/flag_words.h"
 #include "app/cli/files/names.h"
 #include "model/disk/process.h"
 
@@ -43,11 +44,11 @@ void Progress::wipe() {
 }
 
 void warn(std::string_view message) {
-  std::cerr << "sline: warning: " << onOneLine(std::string(message)) << '\n';
+  std::cerr << "sline: warning: " << withFlags(onOneLine(std::string(message))) << '\n';
 }
 
 void tell(std::string_view message) {
-  std::cerr << "sline: " << message << '\n';
+  std::cerr << "sline: " << withFlags(std::string(message)) << '\n';
 }
 
 }  // namespace sline::cli

@@ -11,6 +11,7 @@
 #include "model/edit/settled_units.h"
 #include "model/geometry/topology.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/import/plan/other_sides.h"
 #include "model/scene/cut_place.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
@@ -55,6 +56,8 @@ SceneSummary summaryOf(const model::Scene& scene) {
     summary.vertices += mesh.vertexCount();
     summary.bounds.add(mesh.bounds());
   }
+  for (const model::NodeId id : model::onOtherSide(scene))
+    summary.onOtherSide.push_back(scene.find(id)->name);
   summary.unitDoubted = model::hasDoubtedUnits(scene);
   summary.views = scene.views();
   static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
@@ -128,6 +131,7 @@ Json summaryJson(const SceneSummary& summary) {
   root["frame_reason"] = summary.frameReason;
   putSides(root, summary.sided, summary.evidence);
   root["unit_doubted"] = summary.unitDoubted;
+  root["on_other_side"] = summary.onOtherSide;
   root["structures"] = Json::array();
   for (const StructureInfo& structure : summary.structures)
     root["structures"].push_back(structureJson(structure));

@@ -38,6 +38,8 @@ struct SceneSummary {
   std::string frameReason;
   bool sided = true;
   model::SideEvidence evidence;  ///< the least sure of all
+  std::vector<std::string>
+      onOtherSide;  ///< names of those that lie on the other side than they say
   std::vector<StructureInfo> structures;
   std::vector<model::View> views;
   std::vector<AnnotationInfo> annotations;
@@ -48,7 +50,7 @@ SceneSummary summaryOf(const model::Scene& scene);
 
 /// Returns "triangles", "vertices", "bounds_mm", "frame" (of the bounds), "read_as" (the frame of
 /// the files) with "frame_reason", "sides" and "front" (how sure these are), "unit_doubted",
-/// "structures", "views", "annotations" and "scans".
+/// "on_other_side", "structures", "views", "annotations" and "scans".
 Json summaryJson(const SceneSummary& summary);
 /// Prints one line per structure and one for all, then saved views, annotations and scans.
 void printSummary(const SceneSummary& summary);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/cli/files/export_notes.h"
 #include "app/cli/files/names.h"
 #include "app/cli/files/progress.h"
 #include "render/export/order/common_options.h"
@@ -12,6 +13,13 @@
 namespace sline::cli {
 
 namespace {
+
+/// Tells whether something that was asked for has found no place in the picture.
+bool isLost(const render::ExportNote& note) {
+  using Kind = render::ExportNote::Kind;
+  return note.kind == Kind::marksWithoutRoom || note.kind == Kind::legendWithoutRoom ||
+         note.kind == Kind::legendEmpty;
+}
 
 /// Returns the options of the marks at the picture's edges.
 std::vector<const render::ExportOption*> markOptions() {
@@ -87,7 +95,6 @@ void LabelSpec::writeTo(render::ExportOrder& order) const {
   order.labels = style;
   order.marks = marks;
   order.legend = legend;
-  order.inColour = inColour;
 }
 
 Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm) {
@@ -123,6 +130,9 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   const render::LabelReport report = render::drawPlate(image, job, *spec.typesetting);
   for (const std::string& text : report.leftOut)
     warn("there is no room for the label \"" + onOneLine(text) + "\"");
+  for (const render::ExportNote& note : report.marks)
+    if (isLost(note))
+      warn(textOf(note));
   if (spec.style.mode == render::LabelMode::numbers)
     printKey(report);
 }

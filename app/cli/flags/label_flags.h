@@ -27,7 +27,6 @@ struct LabelSpec {
   render::SourceCredits sources = render::SourceCredits::off;  ///< of whose room the sides know
   std::string viewName;                                        ///< of the camera; may be empty
   model::ViewWords words;                                      ///< of the saved view
-  std::shared_ptr<const model::Scene> inColour;                ///< as ExportOrder::inColour
   std::shared_ptr<const render::Typesetting> typesetting;
   model::FreeSides sides;  ///< of the picture, for views that are fitted
 

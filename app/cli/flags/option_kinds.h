@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "app/cli/flags/arguments.h"
 #include "model/base/units.h"
@@ -25,6 +26,22 @@ inline Values valuesOf(const CLI::App& command, const std::string& option) {
     return Values::one;
   return declared->get_type_name().find('=') == std::string::npos ? Values::several
                                                                   : Values::assignments;
+}
+
+/// Returns what is wrong where an option that needs a value is followed by another of the
+/// sub-command's options, which would be taken for the value; empty if nothing is.
+inline std::string valueMissing(const CLI::App& command,
+                                const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    const CLI::Option* asked = command.get_option_no_throw(arguments[i]);
+    const std::string& next = arguments[i + 1];
+    if (!asked || asked->get_items_expected_min() < 1 || next.rfind("-", 0) != 0 ||
+        !command.get_option_no_throw(next.substr(0, next.find('='))))
+      continue;
+    return arguments[i] + " needs a value (" + asked->get_type_name() + "), and " + next +
+           " follows it. See --help.";
+  }
+  return {};
 }
 
 /// Checks for a number from `low` to `high`; "nan" is refused.

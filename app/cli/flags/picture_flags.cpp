@@ -15,6 +15,7 @@
 #include "model/edit/visibility.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/pixels/image_file.h"
 #include "render/lines/technique_list.h"
 #include "render/picture/headless/headless_picture.h"
@@ -203,7 +204,7 @@ Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
   if (!labels.ok())
     return labels.error();
   spec.labels = *labels;
-  spec.labels.style.onDark = spec.environment.background == render::Background::dark;
+  spec.labels.style.ground = spec.environment.background;
   return Unit{};
 }
 
@@ -424,9 +425,9 @@ Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec)
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& spec) {
   if (spec.camera)
     return *spec.camera;
-  if (const model::View* saved = savedView(scene, spec.view))
-    return saved->camera;
   const float aspect = spec.size.aspect();
+  if (const model::View* saved = savedView(scene, spec.view))
+    return render::fittedToPage(scene, saved->camera, aspect);
   if (spec.fitted)
     return model::framedCamera(*spec.fitted, aspect, spec.labels.sides);
   const auto view = viewOf(spec);

@@ -123,13 +123,17 @@ void warnOfSides(const model::Scene& scene) {
   const auto& nodes = scene.nodes();
   const auto first = std::find_if(nodes.begin(), nodes.end(), doubted);
   const auto count = std::count_if(nodes.begin(), nodes.end(), doubted);
-  std::string text = "left and right are not certain";
+  const bool onlyFront = model::isOnlyFrontDoubted(scene);
+  std::string text =
+      onlyFront ? "front and back are not certain" : "left and right are not certain";
   if (first != nodes.end())
     text += " of " + std::to_string(count) + (count == 1 ? " structure (" : " structures (") +
             first->provenance.frame + ": " + first->provenance.frameReason + ")";
-  warn(text +
-       "; marks of the sides carry a question mark until --sides right, mirror or turn, or "
-       "--frame, settles it");
+  warn(text + (onlyFront
+                   ? "; marks of front and back carry a question mark until --sides right, or "
+                     "mirror where they are swapped, or --frame, settles it"
+                   : "; marks of the sides carry a question mark until --sides right, mirror "
+                     "or turn, or --frame, settles it"));
 }
 
 Result<model::SceneDocument> openedScene(const std::string& file) {

@@ -263,6 +263,31 @@ SourceCredit creditInReadme(std::string_view text) {
   return credit;
 }
 
+/// Tells whether the line is part of a sentence about some terms of use rather than their name: it
+/// goes on in the next line, or says nothing that is known.
+bool isOfSentence(std::string_view line, std::string_view next) {
+  const std::string lower = ' ' + lowerCase(line) + ' ';
+  static constexpr std::array verbs{" is ", " are ", " may ", " shall ", " must ", " this "};
+  const bool sentence = std::any_of(verbs.begin(), verbs.end(), [&lower](const char* verb) {
+    return lower.find(verb) != std::string::npos;
+  });
+  const bool goesOn = !line.ends_with('.') && !next.empty() && isLower(next.front());
+  return sentence && (goesOn || licenceRank(lower) < 2);
+}
+
+SourceCredit creditInLicence(std::string_view text) {
+  SourceCredit credit;
+  int rank = 0;
+  const std::vector<std::string_view> lines = textLinesOf(text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = trimmed(lines[i]);
+    const std::string_view next = i + 1 < lines.size() ? trimmed(lines[i + 1]) : std::string_view();
+    if (!isOfSentence(line, next))
+      takeLicence(credit, rank, line);
+  }
+  return credit;
+}
+
 /// Fills in what is open.
 void complete(SourceCredit& credit, const SourceCredit& other) {
   for (std::string SourceCredit::*const field :
@@ -314,11 +339,7 @@ SourceCredit creditIn(std::string_view text, CreditText kind) {
     case CreditText::licence:
       break;
   }
-  SourceCredit credit;
-  int rank = 0;
-  for (const std::string_view line : textLinesOf(text))
-    takeLicence(credit, rank, trimmed(line));
-  return tidied(credit);
+  return tidied(creditInLicence(text));
 }
 
 SourceCredit creditOf(const std::filesystem::path& file) {

@@ -259,7 +259,7 @@ class SeriesReader {
                     glm::dvec4(first.position, 1)};
     volume.frame = Frame::lps;
     volume.frameReason = "DICOM: patient coordinates";
-    volume.unitReason = "DICOM: millimetres";
+    volume.unitReason = dicomUnit;
     volume.voxels.reserve(m_slices.size() * m_slices.front().stored.size());
     for (Slice& slice : m_slices) {
       volume.voxels.insert(volume.voxels.end(), slice.stored.begin(), slice.stored.end());

@@ -163,7 +163,7 @@ LabelVolume* SegmentationReader::addVolume() {
                   glm::dvec4(origin, 1)};
   volume.frame = Frame::lps;
   volume.frameReason = "DICOM: patient coordinates";
-  volume.unitReason = "DICOM: millimetres";
+  volume.unitReason = dicomUnit;
   m_result.volumes.push_back(std::move(volume));
   return &m_result.volumes.back();
 }

@@ -246,7 +246,7 @@ class StructureSetReader {
     mesh.colour = region.colour;
     mesh.frame = Frame::lps;
     mesh.frameReason = "DICOM: patient coordinates";
-    mesh.unitReason = "DICOM: millimetres";
+    mesh.unitReason = dicomUnit;
     m_result.meshes.push_back(std::move(mesh));
     return Unit{};
   }

@@ -23,13 +23,20 @@ struct Pair {
 };
 
 /// Says what a ballot compares with what, the most telling first.
-enum class Ground { eachOther, middle, origin };
+enum class Ground { pair, eachOther, middle, hull, origin };
 
 /// Holds what one pair, or one name without its counterpart, says.
 struct Ballot {
   float leftMinusRight = 0.0f;
-  Ground ground = Ground::eachOther;
+  Ground ground = Ground::pair;
+  bool wholly = false;  ///< what is compared does not reach over the line between the sides
   std::vector<std::size_t> places;
+};
+
+/// Holds where the body's middle is, and how far beside it a place must be to lie on a side.
+struct Midline {
+  float x = 0.0f;
+  float beside = 0.0f;
 };
 
 struct FrontAndBack {
@@ -53,14 +60,38 @@ bool hasAny(const NameWords& words, std::span<const std::string_view> wanted) {
   });
 }
 
+/// Tells whether the name is that of what lies at a structure or in it, and not where that lies.
+bool liesBeside(const NameWords& words) {
+  static constexpr std::array<std::string_view, 35> beside{
+      "gall",      "muscle",  "ligament", "artery",    "vein",     "nerve",      "gland",
+      "tumour",    "tumor",   "lesion",   "cyst",      "nodule",   "metastasis", "mass",
+      "carcinoma", "cancer",  "abscess",  "haematoma", "hematoma", "stone",      "fracture",
+      "fragment",  "implant", "screw",    "electrode", "lead",     "clip",       "seed",
+      "graft",     "stent",   "catheter", "margin",    "node",     "defect",     "drain"};
+  return hasAny(words, beside);
+}
+
 /// Tells whether the name is that of a structure that lies in the middle of every body: where no
 /// pair tells the midline, those do.
 bool liesInTheMiddle(const NameWords& words) {
-  static constexpr std::array<std::string_view, 22> middle{
-      "sacrum", "coccyx",     "vertebra",  "lumbar",   "spine",   "spinal",   "sternum", "mandible",
-      "hyoid",  "larynx",     "trachea",   "tongue",   "pharynx", "skull",    "cranium", "brain",
-      "uterus", "cerebellum", "brainstem", "prostate", "urethra", "symphysis"};
-  return hasAny(words, middle);
+  static constexpr std::array<std::string_view, 24> middle{
+      "sacrum",    "coccyx",   "vertebra", "lumbar",    "spine",   "spinal",
+      "sternum",   "mandible", "hyoid",    "larynx",    "trachea", "tongue",
+      "pharynx",   "skull",    "cranium",  "brain",     "uterus",  "cerebellum",
+      "brainstem", "prostate", "urethra",  "symphysis", "bladder", "rectum"};
+  return hasAny(words, middle) && !liesBeside(words);
+}
+
+/// Tells whether the name is that of the body as a whole.
+bool isHull(const std::string& name) {
+  static constexpr std::array<std::string_view, 14> hulls{
+      "body",         "skin",         "external",   "outline",         "torso",
+      "trunk",        "whole body",   "integument", "body surface",    "body contour",
+      "body outline", "skin surface", "patient",    "external contour"};
+  std::string whole;
+  for (const std::string& word : nameWords(name))
+    whole += (whole.empty() ? "" : " ") + word;
+  return std::find(hulls.begin(), hulls.end(), whole) != hulls.end();
 }
 
 /// Returns the side on which an organ lies in all but one body of ten thousand, though its name has
@@ -125,25 +156,24 @@ class Comparison {
  public:
   explicit Comparison(std::span<const NamedPosition> places) : m_places(places) { sort(); }
 
-  /// Returns the ballots of all names that say something.
+  /// Returns the ballots of all names that say something. The middle of whatever else there is says
+  /// nothing of the body's: where all that was cut out is of one side, that is its middle.
   std::vector<Ballot> ballots() {
     comparePairs();
-    std::vector<float>& middles = !m_middles.empty() ? m_middles : m_spine;
-    if (!middles.empty())
-      compareWith(median(middles), Ground::middle);
+    if (!m_middles.empty())
+      compareWith({median(m_middles), 0.0f}, Ground::middle);
+    else if (!m_spine.empty())
+      compareWith(midlineOf(m_spine), Ground::middle);
     else if (!m_alone.left.empty() && !m_alone.right.empty())
-      compareWithEachOther();
-    else if (m_others.size() >= fewestOthers)
-      compareWith(median(m_others), Ground::middle);
+      compareWith(betweenTheSides(), Ground::eachOther);
+    else if (!m_hulls.empty())
+      compareWith(midlineOf(m_hulls), Ground::hull);
     else
       compareWithOrigin();
     return std::move(m_cast);
   }
 
  private:
-  /// The median of so many structures that have no side is taken for the body's middle.
-  static constexpr std::size_t fewestOthers = 5;
-
   void sort() {
     float low = std::numeric_limits<float>::infinity();
     float high = -low;
@@ -158,15 +188,24 @@ class Comparison {
         (name.side == Side::left ? m_pairs[name.rest].left : m_pairs[name.rest].right).push_back(i);
       else if (nature != Side::none)
         (nature == Side::left ? m_alone.left : m_alone.right).push_back(i);
-      else
-        (liesInTheMiddle(allWords(place.name)) ? m_spine : m_others).push_back(place.x);
+      else if (isHull(place.name))
+        m_hulls.push_back(i);
+      else if (liesInTheMiddle(allWords(place.name)))
+        m_spine.push_back(i);
     }
     m_least = 0.01f * (high - low);
   }
 
-  void add(float leftMinusRight, Ground ground, std::vector<std::size_t> of) {
-    if (std::abs(leftMinusRight) > m_least)
-      m_cast.push_back({leftMinusRight, ground, std::move(of)});
+  void add(Ballot ballot) {
+    if (std::abs(ballot.leftMinusRight) > m_least)
+      m_cast.push_back(std::move(ballot));
+  }
+
+  float halfWidthOf(const std::vector<std::size_t>& which) const {
+    float widest = 0.0f;
+    for (const std::size_t i : which)
+      widest = std::max(widest, m_places[i].halfWidth);
+    return widest;
   }
 
   void comparePairs() {
@@ -182,23 +221,67 @@ class Comparison {
       const float right = mean(m_places, pair.right);
       std::vector<std::size_t> both = pair.left;
       both.insert(both.end(), pair.right.begin(), pair.right.end());
-      add(left - right, Ground::eachOther, std::move(both));
-      m_middles.push_back(0.5f * (left + right));
+      const bool apart =
+          2.0f * std::abs(left - right) > halfWidthOf(pair.left) + halfWidthOf(pair.right);
+      // The lobes of the liver tell left from right, and not where the body's middle is.
+      if (!isPartOfUnpaired(allWords(m_places[both.front()].name)))
+        m_middles.push_back(0.5f * (left + right));
+      add({left - right, Ground::pair, apart, std::move(both)});
     }
   }
 
-  void compareWith(float midline, Ground ground) {
-    for (const std::size_t i : m_alone.left)
-      add(m_places[i].x - midline, ground, {i});
-    for (const std::size_t i : m_alone.right)
-      add(midline - m_places[i].x, ground, {i});
+  /// Returns the middle of the places, which are in the body's middle by nature, and how far they
+  /// may be from it.
+  Midline midlineOf(const std::vector<std::size_t>& which) const {
+    constexpr float off = 0.15f;
+    std::vector<float> xs;
+    std::vector<float> widths;
+    for (const std::size_t i : which) {
+      xs.push_back(m_places[i].x);
+      widths.push_back(m_places[i].halfWidth);
+    }
+    return {median(std::move(xs)), off * median(std::move(widths))};
   }
 
-  void compareWithEachOther() {
-    std::vector<std::size_t> all = m_alone.left;
-    all.insert(all.end(), m_alone.right.begin(), m_alone.right.end());
-    add(mean(m_places, m_alone.left) - mean(m_places, m_alone.right), Ground::eachOther,
-        std::move(all));
+  void addSide(std::size_t i, float leftMinusRight, const Midline& midline, Ground ground) {
+    constexpr float part = 0.1f;
+    const float half = m_places[i].halfWidth;
+    if (std::abs(leftMinusRight) > std::max(part * half, midline.beside))
+      add({leftMinusRight, ground, std::abs(leftMinusRight) > half, {i}});
+  }
+
+  void compareWith(const Midline& midline, Ground ground) {
+    for (const std::size_t i : m_alone.left)
+      addSide(i, m_places[i].x - midline.x, midline, ground);
+    for (const std::size_t i : m_alone.right)
+      addSide(i, midline.x - m_places[i].x, midline, ground);
+  }
+
+  /// Returns the line that parts names of the left best from names of the right, whichever way that
+  /// is; of several the one with the most room.
+  Midline betweenTheSides() const {
+    std::vector<std::pair<float, int>> sorted;  // with 1 for left, −1 for right
+    for (const std::size_t i : m_alone.left)
+      sorted.emplace_back(m_places[i].x, 1);
+    for (const std::size_t i : m_alone.right)
+      sorted.emplace_back(m_places[i].x, -1);
+    std::sort(sorted.begin(), sorted.end());
+    Midline best;
+    int most = -1;
+    float room = 0.0f;
+    int below = 0;  // how many more names of the left than of the right lie there
+    const int all = int(m_alone.left.size()) - int(m_alone.right.size());
+    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+      below += sorted[i].second;
+      const int parted = std::abs(below - (all - below));
+      const float gap = sorted[i + 1].first - sorted[i].first;
+      if (parted < most || (parted == most && gap <= room))
+        continue;
+      most = parted;
+      room = gap;
+      best.x = 0.5f * (sorted[i].first + sorted[i + 1].first);
+    }
+    return best;
   }
 
   /// Scanners and atlases have their origin in the middle as a rule: a structure that lies mostly
@@ -213,18 +296,18 @@ class Comparison {
     };
     for (const std::size_t i : m_alone.left)
       if (tells(i))
-        add(m_places[i].x, Ground::origin, {i});
+        add({m_places[i].x, Ground::origin, false, {i}});
     for (const std::size_t i : m_alone.right)
       if (tells(i))
-        add(-m_places[i].x, Ground::origin, {i});
+        add({-m_places[i].x, Ground::origin, false, {i}});
   }
 
   std::span<const NamedPosition> m_places;
   std::map<std::string, Pair> m_pairs;
   Pair m_alone;  ///< without their counterparts
   std::vector<float> m_middles;
-  std::vector<float> m_spine;
-  std::vector<float> m_others;  ///< whose names say nothing
+  std::vector<std::size_t> m_spine;
+  std::vector<std::size_t> m_hulls;
   float m_least = 0.0f;
   std::vector<Ballot> m_cast;
 };
@@ -252,38 +335,68 @@ std::string FrameVote::text() const {
 FrameVote voteOnFrame(std::span<const NamedPosition> places) {
   FrameVote vote;
   for (const Ballot& ballot : Comparison(places).ballots()) {
-    ++(ballot.leftMinusRight > 0.0f ? vote.lps : vote.ras);
-    vote.compared = vote.compared || ballot.ground == Ground::eachOther;
-    vote.byOrigin = vote.byOrigin || ballot.ground == Ground::origin;
+    const bool left = ballot.leftMinusRight > 0.0f;
+    const bool pair = ballot.ground == Ground::pair;
+    ++(left ? vote.lps : vote.ras);
+    vote.pairsLps += pair && left;
+    vote.pairsRas += pair && !left;
+    vote.compared = vote.compared || pair || ballot.ground == Ground::eachOther;
+    vote.byOrigin =
+        vote.byOrigin || ballot.ground == Ground::origin || ballot.ground == Ground::hull;
   }
   return vote;
+}
+
+bool FrameVote::refutes(bool left) const {
+  const int against = left ? pairsRas : pairsLps;
+  const int agreeing = left ? pairsLps : pairsRas;
+  return against > 0 && isClearVote(agreeing, against + agreeing) && isClear() &&
+         (left ? ras > lps : lps > ras);
 }
 
 std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places) {
   std::vector<std::size_t> found;
   for (const Ballot& ballot : Comparison(places).ballots())
-    if (ballot.leftMinusRight < 0.0f && ballot.ground != Ground::origin)
+    if (ballot.leftMinusRight < 0.0f && ballot.wholly && ballot.ground != Ground::hull)
       found.insert(found.end(), ballot.places.begin(), ballot.places.end());
   std::sort(found.begin(), found.end());
   return found;
 }
 
 namespace {
-/// Sorts by name what lies before the spine of every body, and the spine.
-void addByNature(const NamedPosition& place, FrontAndBack& pair) {
-  static constexpr std::array<std::string_view, 6> back{"vertebra", "spine",  "spinal",
-                                                        "sacrum",   "coccyx", "scapula"};
-  static constexpr std::array<std::string_view, 8> front{
-      "sternum", "symphysis", "bladder", "stomach", "heart", "liver", "mandible", "pancreas"};
-  static constexpr std::array<std::string_view, 6> between{"muscle", "ligament", "artery",
-                                                           "vein",   "nerve",    "gland"};
+/// Names what lies in front of what in every body.
+struct FrontRow {
+  std::string_view region;  ///< within which they are compared
+  std::array<std::string_view, 9> front;
+  std::array<std::string_view, 9> back;
+};
+
+constexpr std::array<FrontRow, 3> frontRows{
+    {{"the trunk",
+      {"sternum", "symphysis", "bladder", "stomach", "heart", "liver", "mandible", "pancreas",
+       "gallbladder"},
+      {"vertebra", "spine", "spinal", "sacrum", "coccyx", "scapula", "rectum", "kidney", "spleen"}},
+     {"the head",
+      {"eye", "orbit", "eyeball", "maxilla", "nose", "nasal", "zygomatic", "hyoid", "vomer"},
+      {"cerebellum", "occipital", "brainstem", "pons", "medulla", "spine", "vertebra", "atlas",
+       "axis"}},
+     {"the knee", {"patella"}, {"femur", "fibula", "popliteal"}}}};
+
+/// Sorts by name what lies before and what behind in every body.
+void addByNature(const NamedPosition& place, std::map<std::string, FrontAndBack>& pairs) {
   const NameWords words = allWords(place.name);
-  if (hasAny(words, between))
+  if (liesBeside(words))
     return;
-  if (hasAny(words, back))
-    pair.back.push_back(place.y);
-  else if (hasAny(words, front))
-    pair.front.push_back(place.y);
+  const auto among = [&words](const std::array<std::string_view, 9>& names) {
+    return std::any_of(names.begin(), names.end(), [&words](std::string_view name) {
+      return !name.empty() && std::find(words.begin(), words.end(), name) != words.end();
+    });
+  };
+  for (const FrontRow& row : frontRows)
+    if (among(row.back))
+      pairs[std::string(row.region)].back.push_back(place.y);
+    else if (among(row.front))
+      pairs[std::string(row.region)].front.push_back(place.y);
 }
 }  // namespace
 
@@ -294,7 +407,7 @@ FrontVote voteOnFront(std::span<const NamedPosition> places) {
   for (const NamedPosition& place : places) {
     low = std::min(low, place.y);
     high = std::max(high, place.y);
-    addByNature(place, pairs[{}]);
+    addByNature(place, pairs);
     std::string rest;
     int side = 0;
     for (const std::string& word : nameWords(place.name)) {

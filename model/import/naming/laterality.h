@@ -27,26 +27,33 @@ struct NamedPosition {
 struct FrameVote {
   int lps = 0;  ///< names that speak for +x = patient's left
   int ras = 0;
+  int pairsLps = 0;  ///< those of them that are two of one name, left and right
+  int pairsRas = 0;
   bool compared = false;  ///< a left one was compared with a right one
-  bool byOrigin = false;  ///< there was nothing to compare with but the coordinates' origin
+  bool byOrigin = false;  ///< there was nothing to compare with but a hull or the origin
   /// Returns the frame, or nothing where no name has a side or the names disagree evenly.
   std::optional<Frame> winner() const;
   /// Tells whether that can be taken for certain: not where one name alone speaks or only the
   /// origin tells the sides apart, nor where more than one vote in four is against.
   bool isClear() const;
+  /// Tells whether that is enough to contradict a frame that a file states, in which +x is the left
+  /// or is not: a clear vote, and most of the pairs.
+  bool refutes(bool left) const;
   /// Returns "vote: 20 of 22 left/right names", or "weak vote: …" where it is not clear.
   std::string text() const;
 };
 
 /// Lets the names vote. Pairs "left kidney"/"right kidney" vote by comparing places; a name without
 /// its counterpart, and an organ that lies on one side by nature ("liver"), votes by its side of
-/// the midline between the pairs or, without pairs, of the spine and its like. Without these, names
-/// of the left are compared with names of the right, or with the middle of what has no side, or at
-/// last with the coordinates' origin. Differences below 1 % of the scene's width say nothing.
+/// the midline between the pairs or, without pairs, of the spine and its like. Without these, each
+/// votes by its side of the line that parts names of the left from names of the right, or at last
+/// of the body's hull or the coordinates' origin. Places that are hardly beside the line, and
+/// differences below 1 % of the scene's width, say nothing.
 FrameVote voteOnFrame(std::span<const NamedPosition> places);
 
 /// Returns those of the places, in order, that contradict their names if +x is the patient's left,
-/// by the same comparisons; of a pair both are returned.
+/// by the same comparisons but for hull and origin, and lie wholly on the other side; of a pair
+/// both are returned.
 std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places);
 
 struct FrontVote {
@@ -56,8 +63,8 @@ struct FrontVote {
   std::optional<bool> toTheBack() const;
 };
 /// Compares the places of names that are alike but for "anterior" and "posterior" (or "ventral" and
-/// "dorsal"), and of the spine with organs before it. Differences below 1 % of the scene's depth
-/// say nothing.
+/// "dorsal"), and, within trunk, head and knee, what lies in front in every body with what lies
+/// behind ("bladder" with "rectum"). Differences below 1 % of the scene's depth say nothing.
 FrontVote voteOnFront(std::span<const NamedPosition> places);
 
 /// Turns axes with y up (RawMesh::yUp) to axes with z up, a rotation: (x, −z, y). It turns the axes

@@ -34,8 +34,7 @@ std::string DicomLeftOut::text() const {
 
 std::string DicomLeftOut::remedy() {
   return "Structures come from a DICOM segmentation or RT structure set, from label maps and "
-         "meshes "
-         "made of the images, or from a threshold (--threshold bone)";
+         "meshes made of the images, or from a threshold";
 }
 
 }  // namespace sline::model

@@ -28,4 +28,8 @@ std::string fileMark(const std::filesystem::path& file) {
   return name.empty() || mayBeShown(stemOf(file)) ? name : '#' + checksum(name);
 }
 
+std::string partMark(const std::string& part) {
+  return part.empty() || mayBeShown(part) ? part : '#' + checksum(part);
+}
+
 }  // namespace sline::model

@@ -11,4 +11,7 @@ namespace sline::model {
 /// and a checksum of it, by which the file is found again.
 std::string fileMark(const std::filesystem::path& file);
 
+/// Returns the same of the name of one of a file's surfaces: programs title them after files.
+std::string partMark(const std::string& part);
+
 }  // namespace sline::model

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "model/edit/sides.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/plan/frame_fit.h"
+#include "model/import/plan/shape_parts.h"
 #include "model/scene/known_frame.h"
 
 namespace sline::model {
@@ -38,10 +40,39 @@ std::string adviceAgainst(Frame frame, const FrontVote& front) {
              : "front and back are swapped too: choose " + turned;
 }
 
+/// Returns the scenes that what comes is put into.
+std::vector<const Scene*> scenesAround(const ReadInputs& read, const ImportOptions& options) {
+  std::vector<const Scene*> scenes;
+  if (read.scenes)
+    scenes.push_back(&read.scenes->scene);
+  if (options.into)
+    scenes.push_back(options.into.get());
+  return scenes;
+}
+
+/// Returns their structures whose frame was assumed; none where they were read in different ones.
+std::vector<const Node*> assumedIn(const std::vector<const Scene*>& scenes) {
+  std::vector<const Node*> assumed;
+  for (const Scene* scene : scenes)
+    for (const Node* node : withAssumedFrame(*scene))
+      assumed.push_back(node);
+  const auto isOther = [&assumed](const Node* node) {
+    return node->provenance.frame != assumed.front()->provenance.frame;
+  };
+  if (std::any_of(assumed.begin(), assumed.end(), isOther))
+    assumed.clear();
+  return assumed;
+}
+
 class FrameDecision {
  public:
   FrameDecision(std::vector<Part>& parts, const ReadInputs& read, const ImportOptions& options)
-      : m_parts(parts), m_read(read), m_sources(read.sources), m_options(options) {}
+      : m_parts(parts),
+        m_read(read),
+        m_sources(read.sources),
+        m_options(options),
+        m_around(scenesAround(read, options)),
+        m_assumed(assumedIn(m_around)) {}
 
   void run(ImportReport& report) {
     bool silent = false;
@@ -50,7 +81,11 @@ class FrameDecision {
         decideKnown(part);
       else
         silent = true;
-    const SilentFrame decided = silent ? silentFrame(report) : SilentFrame();
+    const bool came = !m_parts.empty();
+    const SilentFrame decided =
+        silent || (came && !m_assumed.empty()) ? silentFrame(report) : SilentFrame();
+    if (silent || decided.evidence.isSure())
+      decideAround(decided, report);
     report.frame = decided.frame;
     report.frameReason = decided.reason;
     for (Part& part : m_parts)
@@ -98,6 +133,22 @@ class FrameDecision {
     }
   }
 
+  /// Decides for what is there already as for what comes, where that was assumed, too.
+  void decideAround(const SilentFrame& decided, ImportReport& report) const {
+    if (m_assumed.empty() || m_parts.empty())
+      return;
+    const Provenance& now = m_assumed.front()->provenance;
+    const FrameAnew anew{frameName(decided.frame), decided.reason, decided.evidence};
+    const std::optional<SideAnswer> answer = answerBetween(now.frame, anew.frame);
+    const bool same = answer == SideAnswer::right;
+    if (!answer || (same && !anew.evidence.isSure()))
+      return;
+    report.frameAnew = anew;
+    report.notes.push_back(
+        same ? "left and right of what was there already are certain now: " + decided.reason
+             : "what was there already is read as " + anew.frame + " now: " + decided.reason);
+  }
+
   template <class Wanted>
   std::vector<NamedPosition> placesOf(const Wanted& wanted) const {
     std::vector<NamedPosition> places;
@@ -112,37 +163,63 @@ class FrameDecision {
     return places;
   }
 
+  /// Returns the places of silent surfaces, and those of what was assumed of the scenes around, in
+  /// the coordinates of their files.
+  std::vector<NamedPosition> silentPlaces() const {
+    std::vector<NamedPosition> places =
+        placesOf([this](const Part& part) { return isSilent(part); });
+    for (const Node* node : m_assumed) {
+      const Box box = node->mesh->bounds();
+      const FrameAxes& axes = axesOf(node->provenance.frame);
+      const float unit = std::max(node->provenance.mmPerUnit, 1e-6f);
+      const glm::vec3 centre = box.centre() / unit;
+      places.push_back({node->name, axes.left ? centre.x : -centre.x,
+                        axes.posterior ? centre.y : -centre.y, 0.5f * box.size().x / unit});
+    }
+    return places;
+  }
+
   FrameSides knownAndSilent() const {
     FrameSides sides;
     for (const Part& part : m_parts)
       if (isSilent(part))
-        sides.silent.push_back(&part);
+        sides.silent.push_back(lyingIn(part, Frame::lps, {}));
       else if (part.frame != Frame::file)
-        sides.known.push_back(&part);
+        sides.known.push_back(lyingIn(part, part.frame, toWorldOf(part, m_sources)));
+    for (const Node* node : m_assumed)
+      sides.silent.push_back(
+          readAgainAs(lyingIn(*node), axesOf(node->provenance.frame).frame, Frame::lps));
+    for (const Scene* scene : m_around)
+      for (const Node& node : scene->nodes())
+        if (!node.isGroup() && node.provenance.frame != fileFrame &&
+            node.provenance.evidence.isSure())
+          sides.known.push_back(lyingIn(node));
     return sides;
   }
 
   SilentFrame silentFrame(ImportReport& report) const {
-    const auto silent = [this](const Part& part) { return isSilent(part); };
-    const std::vector<NamedPosition> places = placesOf(silent);
+    const std::vector<NamedPosition> places = silentPlaces();
     const FrameVote vote = voteOnFrame(places);
+    const FrontVote front = voteOnFront(places);
     const FrameSides sides = knownAndSilent();
     const FrameFit laid = laidOverSameNames(sides, m_read);
-    const FrameFit fit = fittedIn(sides, m_read);
+    const FrameFit fit = fittedIn(sides);
     SilentFrame decided;
     if (laid.frame)
       decided = {*laid.frame, laid.reason, {Evidence::voted, Evidence::voted}};
     else if (vote.isClear())
-      decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::voted}};
+      decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::assumed}};
     else if (fit.frame)
-      decided = {*fit.frame, fit.reason, {Evidence::voted, Evidence::voted}};
+      decided = {*fit.frame, fit.reason, {Evidence::assumed, Evidence::assumed}};
     else
-      decided = weakly(vote, voteOnFront(places));
+      decided = weakly(vote, front);
+    if (front.toTheBack() == axesOf(decided.frame).posterior)
+      decided.evidence.front = Evidence::voted;
     compare(decided, vote, fit);
     if (!laid.frame && isSure(decided.evidence.sides) && vote.winner() &&
         axesOf(*vote.winner()).left != axesOf(decided.frame).left)
       decided.evidence.sides = Evidence::assumed;
-    compareFront(decided, voteOnFront(places), report);
+    compareFront(decided, front, report);
     if (fit.none && !decided.evidence.isSure())
       report.warnings.push_back(
           {"",
@@ -159,9 +236,8 @@ class FrameDecision {
       decided.frame = *winner;
       decided.reason = vote.text();
     } else if (const std::optional<bool> back = front.toTheBack()) {
-      decided = {*back ? Frame::lps : Frame::ras,
-                 "names of front and back alone",
-                 {Evidence::assumed, Evidence::voted}};
+      decided.frame = *back ? Frame::lps : Frame::ras;
+      decided.reason = "names of front and back alone";
     }
     return decided;
   }
@@ -187,8 +263,9 @@ class FrameDecision {
                                        frameName(frameWith(axes.left, !axes.posterior))});
   }
 
-  /// Marks files whose frame names contradict, and warns: left and right must never be swapped
-  /// silently.
+  /// Marks files whose frame pairs of names contradict, and warns: left and right must never be
+  /// swapped silently. What lies on one side by nature, or alone on its side, is too little against
+  /// a file that states its frame.
   void markContradictions(ImportReport& report) {
     for (const FrameAxes& axes : frames) {
       const auto stated = [&](const Part& part) {
@@ -197,7 +274,7 @@ class FrameDecision {
       };
       const std::vector<NamedPosition> places = placesOf(stated);
       const FrameVote vote = voteOnFrame(places);
-      if (!vote.isClear() || axesOf(*vote.winner()).left == axes.left)
+      if (!vote.refutes(axes.left))
         continue;
       const FrontVote front = voteOnFront(places);
       const std::optional<bool> back = front.toTheBack();
@@ -219,6 +296,8 @@ class FrameDecision {
   const ReadInputs& m_read;
   const Sources& m_sources;
   const ImportOptions& m_options;
+  std::vector<const Scene*> m_around;
+  std::vector<const Node*> m_assumed;  ///< structures of these
 };
 
 }  // namespace

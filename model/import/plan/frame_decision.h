@@ -11,7 +11,8 @@ namespace sline::model {
 
 /// Fixes each part's frame and says why and how sure that is: as chosen by hand, else as the file's
 /// format, header or scene says, else as it lies over others of the same names (frame_fit.h), by a
-/// clear vote of the names (laterality.h), as it fits in with the others, or by a weak vote. Warns
+/// clear vote of the names (laterality.h), as it fits in with the others, or by a weak vote. The
+/// last two are guesses, and so is the front but where names tell it (FrontVote). Warns
 /// where names contradict the files, or nothing fits. A part that was skipped has a vote like any
 /// other.
 void decideFrames(std::vector<Part>& parts, const ReadInputs& read, const ImportOptions& options,

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 
 #include "model/anatomy/name_words.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/plan/shape_parts.h"
-#include "model/import/volumes/grey_volume.h"
 #include "model/scene/known_frame.h"
 
 namespace sline::model {
@@ -24,14 +22,14 @@ Provenance readAs(const Part& part, Frame frame) {
   return as;
 }
 
-/// Returns the middle of the surface, whatever its triangles' sizes, in the file's coordinates.
-glm::vec3 middleOf(const RawMesh& raw) {
+/// Returns the middle of the surface, whatever its triangles' sizes, in its own coordinates.
+glm::vec3 middleOf(std::span<const glm::vec3> positions, std::span<const Triangle> triangles) {
   glm::dvec3 sum(0.0);
   double area = 0.0;
-  for (const Triangle& t : raw.triangles) {
-    const glm::dvec3 a(raw.positions[t[0]]);
-    const glm::dvec3 b(raw.positions[t[1]]);
-    const glm::dvec3 c(raw.positions[t[2]]);
+  for (const Triangle& t : triangles) {
+    const glm::dvec3 a(positions[t[0]]);
+    const glm::dvec3 b(positions[t[1]]);
+    const glm::dvec3 c(positions[t[2]]);
     const double own = glm::length(glm::cross(b - a, c - a));
     sum += own * (a + b + c) / 3.0;
     area += own;
@@ -57,8 +55,8 @@ void addPlace(NamedPlaces& places, const std::string& name, const glm::vec3& pla
 /// Returns the distances of silent surfaces from known places of their names, in ascending order.
 std::vector<float> distancesIn(const FrameSides& sides, const NamedPlaces& known, Frame frame) {
   NamedPlaces silent;
-  for (const Part* part : sides.silent)
-    addPlace(silent, part->name, middleInPatient(*part, frame, {}));
+  for (const LyingSurface& surface : sides.silent)
+    addPlace(silent, surface.name, readAgainAs(surface, Frame::lps, frame).middle);
   std::vector<float> distances;
   for (const auto& [name, place] : silent)
     if (const auto same = known.find(name); place && same != known.end() && same->second)
@@ -67,40 +65,10 @@ std::vector<float> distancesIn(const FrameSides& sides, const NamedPlaces& known
   return distances;
 }
 
-/// Returns the box of the surface in the patient, if it is read in the frame.
-Box boxIn(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorld) {
-  Box own;
-  for (const glm::vec3& p : part.raw.positions)
-    own.add(p);
-  const Provenance as = readAs(part, frame);
+Box knownBox(const FrameSides& sides) {
   Box box;
-  if (!own.empty())
-    for (const glm::vec3& corner : own.corners())
-      box.add(placed(corner, as, part.raw, toWorld));
-  return box;
-}
-
-void addScans(Box& box, const ReadInputs& read) {
-  for (const ReadScan& scan : read.scans) {
-    const GreyVolume& volume = *scan.raw.volume;
-    for (int corner = 0; volume.frame && corner < 8; ++corner) {
-      const glm::dvec3 at(corner & 1 ? volume.size.x - 1 : 0, corner & 2 ? volume.size.y - 1 : 0,
-                          corner & 4 ? volume.size.z - 1 : 0);
-      box.add(glm::vec3(volume.toLps * glm::dvec4(at, 1.0)));
-    }
-  }
-}
-
-Box knownBox(const FrameSides& sides, const ReadInputs& read) {
-  Box box;
-  for (const Part* part : sides.known)
-    box.add(boxIn(*part, part->frame, toWorldOf(*part, read.sources)));
-  addScans(box, read);
-  if (read.scenes)
-    for (const Node& node : read.scenes->scene.nodes())
-      if (!node.isGroup() && node.provenance.frame != fileFrame &&
-          node.provenance.evidence.isSure())
-        box.add(node.mesh->bounds());
+  for (const LyingSurface& surface : sides.known)
+    box.add(surface.box);
   return box;
 }
 
@@ -123,15 +91,51 @@ float sharedPart(const Box& a, const Box& b) {
 }  // namespace
 
 glm::vec3 middleInPatient(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorld) {
-  return placed(middleOf(part.raw), readAs(part, frame), part.raw, toWorld);
+  return placed(middleOf(part.raw.positions, part.raw.triangles), readAs(part, frame), part.raw,
+                toWorld);
+}
+
+LyingSurface lyingIn(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorld) {
+  LyingSurface surface{.name = part.name,
+                       .middle = middleInPatient(part, frame, toWorld),
+                       .onlySideOpen = part.raw.onlySideOpen};
+  Box own;
+  for (const glm::vec3& p : part.raw.positions)
+    own.add(p);
+  const Provenance as = readAs(part, frame);
+  if (!own.empty())
+    for (const glm::vec3& corner : own.corners())
+      surface.box.add(placed(corner, as, part.raw, toWorld));
+  return surface;
+}
+
+LyingSurface lyingIn(const Node& structure) {
+  const Mesh& mesh = *structure.mesh;
+  return {.name = structure.name,
+          .box = mesh.bounds(),
+          .middle = middleOf(mesh.positions(), mesh.triangles())};
+}
+
+LyingSurface readAgainAs(LyingSurface surface, Frame from, Frame to) {
+  const FrameAxes before = axesIn(from, surface.onlySideOpen);
+  const FrameAxes after = axesIn(to, surface.onlySideOpen);
+  const glm::vec3 signs(before.left == after.left ? 1.0f : -1.0f,
+                        before.posterior == after.posterior ? 1.0f : -1.0f, 1.0f);
+  surface.middle *= signs;
+  if (surface.box.empty())
+    return surface;
+  Box box;
+  box.add(surface.box.low * signs);
+  box.add(surface.box.high * signs);
+  surface.box = box;
+  return surface;
 }
 
 FrameFit laidOverSameNames(const FrameSides& sides, const ReadInputs& read) {
   constexpr float near = 2.0f;  // millimetres
   NamedPlaces known;
-  for (const Part* part : sides.known)
-    addPlace(known, part->name,
-             middleInPatient(*part, part->frame, toWorldOf(*part, read.sources)));
+  for (const LyingSurface& surface : sides.known)
+    addPlace(known, surface.name, surface.middle);
   for (const LeftOutTwin& twin : read.twins)
     addPlace(known, twin.name, twin.middle);
   FrameFit fit;
@@ -156,17 +160,17 @@ FrameFit laidOverSameNames(const FrameSides& sides, const ReadInputs& read) {
   return fit;
 }
 
-FrameFit fittedIn(const FrameSides& sides, const ReadInputs& read) {
+FrameFit fittedIn(const FrameSides& sides) {
   constexpr float fits = 0.9f;
   constexpr float fails = 0.6f;
   FrameFit fit;
-  const Box known = knownBox(sides, read);
+  const Box known = knownBox(sides);
   if (known.empty() || sides.silent.empty())
     return fit;
   const auto share = [&](Frame frame) {
     Box box;
-    for (const Part* part : sides.silent)
-      box.add(boxIn(*part, frame, {}));
+    for (const LyingSurface& surface : sides.silent)
+      box.add(readAgainAs(surface, Frame::lps, frame).box);
     return box.empty() ? 0.0f : sharedPart(box, known);
   };
   const float lps = share(Frame::lps);

@@ -11,10 +11,26 @@
 
 namespace sline::model {
 
+/// Says where a surface lies, in LPS, millimetres; one whose frame is open, as if its file were in
+/// LPS.
+struct LyingSurface {
+  std::string name;
+  Box box;
+  glm::vec3 middle{0.0f};  ///< of its area, whatever its triangles' sizes
+  bool onlySideOpen = false;
+};
+
+/// Returns where the part lies if its file is read in the frame.
+LyingSurface lyingIn(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorld);
+/// Returns where a structure of a scene lies.
+LyingSurface lyingIn(const Node& structure);
+/// Returns where a surface that lies so in one frame lies in the other.
+LyingSurface readAgainAs(LyingSurface surface, Frame from, Frame to);
+
 /// Holds surfaces whose frames are known, and those that are silent.
 struct FrameSides {
-  std::vector<const Part*> known;
-  std::vector<const Part*> silent;
+  std::vector<LyingSurface> known;
+  std::vector<LyingSurface> silent;  ///< read as LPS
 };
 
 /// Returns the middle of the part's surface, whatever its triangles' sizes, in LPS, millimetres, if
@@ -33,8 +49,8 @@ struct FrameFit {
 FrameFit laidOverSameNames(const FrameSides& sides, const ReadInputs& read);
 
 /// Finds out whether silent surfaces lie within what is known, or around it, if read as LPS and as
-/// RAS: the known surfaces, scans whose files state their frame, and scene files that are opened
-/// with them.
-FrameFit fittedIn(const FrameSides& sides, const ReadInputs& read);
+/// RAS: the known surfaces, those of scenes that they come into, too. That is a guess: boxes
+/// overlap by chance, too. Scans say nothing, as they are kept or not, and are larger than a body.
+FrameFit fittedIn(const FrameSides& sides);
 
 }  // namespace sline::model

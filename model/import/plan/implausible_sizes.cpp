@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "model/geometry/scale_limits.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::model {
 
@@ -41,6 +42,18 @@ std::string implausibleSizesText(const Scene& scene) {
     text += ", and " + std::to_string(more) + (more == 1 ? " other is" : " others are") +
             " as unlikely";
   return text + ": an implausible size, check the unit";
+}
+
+std::string mixedScalesText(const Scene& scene) {
+  const Node* molecule = nullptr;
+  const Node* other = nullptr;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup() && !node.provenance.file.empty())
+      (node.provenance.unitReason == angstromReason ? molecule : other) = &node;
+  if (!molecule || !other)
+    return {};
+  return "molecules are drawn with 1 Å as 1 mm, ten million times as large as \"" + other->name +
+         "\" beside them; no scale bar holds for both, so open them apart";
 }
 
 }  // namespace sline::model

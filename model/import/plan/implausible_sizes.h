@@ -11,4 +11,8 @@ namespace sline::model {
 /// does. Their unit is read wrongly, most likely.
 std::string implausibleSizesText(const Scene& scene);
 
+/// Says that molecules lie beside what is not: they are drawn larger than life, and no scale bar
+/// holds for both. Empty where they do not.
+std::string mixedScalesText(const Scene& scene);
+
 }  // namespace sline::model

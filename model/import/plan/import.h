@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "model/base/result.h"
 #include "model/base/units.h"
 #include "model/disk/zip_archive.h"
+#include "model/edit/sides.h"
 #include "model/import/source/raw_mesh.h"
 #include "model/import/source/read_options.h"
 #include "model/scene/scene.h"
@@ -46,6 +48,9 @@ struct ImportOptions {
   /// Files' and folders' names become names of structures and groups and stay in the scene whatever
   /// their words; else only what may be shown to others does (model/anatomy/shown_names.h).
   bool keepFileNames = false;
+  /// The open scene that what is read is to be put into; null for none. Frames are decided and
+  /// patients compared as if it had come with the files.
+  std::shared_ptr<const Scene> into = nullptr;
 };
 
 /// Is called from any thread with done in [0, 1]; returns false to cancel.
@@ -69,6 +74,7 @@ struct UnitDoubt {
   std::string name = {};          ///< an example of what does not fit
   float extent = 0.0f;            ///< its size, mm
   Limits<float> expected = {};    ///< and what such structures have
+  std::string stated = {};        ///< what states the unit, where it is beyond doubt
 
   /// Returns it in a sentence.
   std::string text() const;
@@ -82,6 +88,8 @@ struct ImportReport {
                                    ///< assemblies that they describe
   RepairNotes repairs;
   std::vector<UnitDoubt> unitDoubts;  ///< told among the warnings, too
+  /// How to read what was assumed of the scene that this goes into; done for scene files.
+  std::optional<FrameAnew> frameAnew;
 };
 
 struct Imported {

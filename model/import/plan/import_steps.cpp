@@ -15,6 +15,7 @@
 #include "model/import/plan/frame_decision.h"
 #include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/import/plan/other_sides.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
 #include "model/import/plan/scene_inputs.h"
@@ -37,6 +38,9 @@ NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportO
     return same;
   }
   Imported all = *read.scenes;
+  all.report.frameAnew = imported.report.frameAnew;
+  if (all.report.frameAnew)
+    all.scene = withFrameAnew(all.scene, *all.report.frameAnew).scene;
   warnOfOptions(options, all.report.warnings);
   NewIds ids = append(all, std::move(imported));
   imported = std::move(all);
@@ -95,6 +99,25 @@ Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
   return left;
 }
 
+/// Keeps as checksums what may be a person's name. A part that is the structure's own name, or what
+/// somebody has called it, is no secret.
+void hideNames(Provenance& from, const std::string& structure) {
+  from.file = fileMark(from.file);
+  if (from.part != structure && !from.intensities)
+    from.part = partMark(from.part);
+}
+
+/// Says that structures have lost words of their files' names.
+void tellOfShortNames(const std::vector<Part>& parts, ImportReport& report) {
+  const auto count = std::count_if(parts.begin(), parts.end(),
+                                   [](const Part& part) { return part.nameShortened; });
+  if (count > 0)
+    report.notes.push_back("words that may be a person's were left out of " +
+                           std::to_string(count) +
+                           (count == 1 ? " structure's name" : " structures' names") +
+                           ", which come from those of files");
+}
+
 /// Returns the plan's tree with the surfaces that came of it.
 Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
   std::map<std::size_t, Part*> byNumber;
@@ -115,7 +138,7 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
       // Molecules are no one's; without a fingerprint it is no file's name.
       const bool named = node.provenance.fingerprint && !part->second->raw.molecule;
       if (named && !plan.options.keepFileNames)
-        node.provenance.file = fileMark(node.provenance.file);
+        hideNames(node.provenance, choice.name.value_or(node.name));
       if (part->second->raw.molecule)
         node.atoms = part->second->raw.molecule->atoms;
     }
@@ -154,6 +177,7 @@ DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
   report.notes = overlayMolecules(parts, options.overlay);
   report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
   report.repairs = repairNotes(parts, read.sources);
+  tellOfShortNames(parts, report);
   decideFrames(parts, read, options, report);
   decideUnits(parts, read.sources, options, report);
   return {std::move(parts), std::move(report)};
@@ -165,6 +189,7 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
   const auto numbers = std::move(built.numbers);
   Imported imported{.scene = withViewsAndAnnotations(std::move(built), read.sources, options.frame),
                     .report = decided.report};
+  imported.scene.setTraces(read.traces);
   const NewIds ids = putScenesBefore(imported, read, options);
   ImportPlan plan{.inputs = read.inputs,
                   .options = options,
@@ -173,6 +198,12 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
   for (const auto& [id, number] : numbers)
     plan.parts[ids.at(id)] = number;
   return plan;
+}
+
+void warnOfBodies(const Scene& scene, ImportReport& report) {
+  for (std::string text : {otherSidesText(scene), mixedScalesText(scene)})
+    if (!text.empty())
+      report.warnings.push_back({"", std::move(text)});
 }
 
 Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read) {
@@ -209,6 +240,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   if (!read.scenes)
     warnOfTwins(imported, read);
   warnOfSizes(imported);
+  warnOfBodies(imported.scene, imported.report);
   imported.scene.setScans(std::move(scans));
   if (const Status kept = bringWithinLimits(imported); !kept.ok())
     return kept.error();

@@ -29,6 +29,10 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
 /// Returns the error of an import that gave nothing, if no part, point, scan or scene is left.
 Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read);
 
+/// Adds to the report what the scene as a whole says of sides and scales: names for the other side
+/// (other_sides.h), molecules beside anatomy (implausible_sizes.h).
+void warnOfBodies(const Scene& scene, ImportReport& report);
+
 /// Smooths, places and decimates the parts, and puts them into the plan's tree as chosen. Groups
 /// that no longer hold anything are left out. The error is that of importInputs.
 Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,

@@ -159,10 +159,16 @@ std::string unnamed(std::string_view stem) {
                               : "right " + std::string(unnamedStructure);
 }
 
+struct PartName {
+  std::string name;
+  bool shortened = false;  ///< it has not all words of the file's name
+};
+
 /// Returns the name of a part: that in its file or, where there is none, what may be shown of the
 /// file's name.
-std::string partName(const RawMesh& raw, const SourceFile& source, const Sources& sources,
-                     bool only, bool keepFileNames) {
+PartName partName(const RawMesh& raw, const SourceFile& source, const Sources& sources, bool only,
+                  bool keepFileNames) {
+  bool shortened = false;
   const std::filesystem::path file =
       raw.file.empty() ? source.file : std::filesystem::path(raw.file);
   const std::string stem = stemOf(file);
@@ -176,15 +182,16 @@ std::string partName(const RawMesh& raw, const SourceFile& source, const Sources
   if (ofFile && !raw.molecule) {
     const std::string whole = name.empty() ? readableName(stem) : name;
     name = keepFileNames ? whole : shownFileName(whole);
+    shortened = name != whole && !mayBeShown(whole);
     if (name.empty())
       name = shownFileName(stem);
     if (name.empty())
       name = unnamed(stem);
   }
   if (!source.model)
-    return name;
+    return {name, shortened};
   const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-  return model.segments ? name : only ? model.name : model.name + " " + name;
+  return {model.segments ? name : only ? model.name : model.name + " " + name, false};
 }
 
 /// Mends and measures; returns false where no face with area is left.
@@ -229,8 +236,10 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
     Part part;
     part.file = index;
     part.surface = names[i];
-    part.name =
+    PartName named =
         partName(meshes[i], source, sources, meshes.size() == 1, loading.options.keepFileNames);
+    part.name = std::move(named.name);
+    part.nameShortened = named.shortened;
     part.raw = std::move(meshes[i]);
     part.unit = part.raw.millimetresPerUnit;  // until units are decided
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;

@@ -40,6 +40,8 @@ struct Part {
   Provenance provenance;
   MeshPtr mesh;
   PartChoice choice;
+  /// The name has lost words of its file's that may be a person's.
+  bool nameShortened = false;
 };
 
 /// Describes a structure of a label volume that was left out, because the folder holds it as a

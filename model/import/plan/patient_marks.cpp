@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/base/letters.h"
+#include "model/base/sha256.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/readers/dicom_identity.h"
 #include "model/import/source/source.h"
@@ -43,12 +44,17 @@ Mark markOf(std::string_view text) {
   return std::hash<std::string>()(word);
 }
 
-/// Identifiers count as they stand, blanks around them aside.
+/// Identifiers count as they stand, blanks around them aside. The marks are the same in every build
+/// of the program, since scenes keep traces of them.
 Mark markOfUid(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(' ');
   if (begin == std::string_view::npos)
     return std::nullopt;
-  return std::hash<std::string_view>()(text.substr(begin, text.find_last_not_of(' ') - begin + 1));
+  const Sha256 digest = sha256(text.substr(begin, text.find_last_not_of(' ') - begin + 1));
+  std::uint64_t mark = 0;
+  for (std::size_t i = 0; i < sizeof mark; ++i)
+    mark = mark << 8 | digest[i];
+  return mark;
 }
 
 std::string beginning(const fs::path& file, const ReadLimits& limits, std::size_t most) {

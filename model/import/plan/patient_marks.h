@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds what a file says of whose it is, as checksums: enough to tell equal from different, and
-// nothing that could be shown, stored or travel with a scene.
+// nothing that could be shown, or travel with a scene (but for traces of study and frame of
+// reference, source_traces.h).
 #pragma once
 
 #include <cstdint>

@@ -14,25 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What two files' marks say of each other, the gravest last.
-enum class Kinship { unknown, same, perhapsApart, apart };
-
-template <class Mark>
-Kinship compared(const Mark& a, const Mark& b, Kinship otherwise) {
-  return !a || !b ? Kinship::unknown : *a == *b ? Kinship::same : otherwise;
-}
-
-Kinship kinshipOf(const PatientMarks& a, const PatientMarks& b) {
-  const Kinship person =
-      std::max({compared(a.id, b.id, Kinship::apart), compared(a.name, b.name, Kinship::apart),
-                compared(a.subject, b.subject, Kinship::apart)});
-  if (person != Kinship::unknown)
-    return person;
-  // Nobody is named in both: two studies may be of two bodies.
-  const Kinship study = compared(a.study, b.study, Kinship::perhapsApart);
-  return study != Kinship::unknown ? study : compared(a.frame, b.frame, Kinship::perhapsApart);
-}
-
 /// Returns "a.dcm, b.dcm and 12 more".
 std::string filesText(const std::vector<fs::path>& files) {
   constexpr std::size_t mostTold = 3;
@@ -44,18 +25,36 @@ std::string filesText(const std::vector<fs::path>& files) {
   return text;
 }
 
-PatientSorter sorterOf(const Sources& sources, const ReadLimits& limits) {
-  PatientSorter sorter;
+/// What one file, as it was named, says.
+struct FoundMarks {
+  fs::path file;
+  std::vector<PatientMarks> marks;
+};
+
+std::vector<FoundMarks> marksIn(const Sources& sources, const ReadLimits& limits) {
+  std::vector<FoundMarks> found;
   for (const ImportSource& source : sources.sources)
     if (source.kind == ImportSource::Kind::slicer)
-      sorter.add(source.path,
-                 patientMarks(source.bundle ? source.bundle->scene : source.path, limits));
+      found.push_back(
+          {source.path, patientMarks(source.bundle ? source.bundle->scene : source.path, limits)});
   for (const SourceFile& file : sources.files) {
     const ImportSource& source = sources.sources[file.source];
-    sorter.add(source.bundle ? source.path : file.file, patientMarks(file.file, limits));
+    found.push_back({source.bundle ? source.path : file.file, patientMarks(file.file, limits)});
     for (const fs::path& other : file.together)
-      sorter.add(other, patientMarks(other, limits));
+      found.push_back({other, patientMarks(other, limits)});
   }
+  return found;
+}
+
+PatientSorter sorterOf(const std::vector<FoundMarks>& found, const Scene* into,
+                       const std::vector<TracedScene>& scenes) {
+  PatientSorter sorter;
+  if (into)
+    sorter.add({openSceneName, into->traces()});
+  for (const TracedScene& scene : scenes)
+    sorter.add(scene);
+  for (const FoundMarks& each : found)
+    sorter.add(each.file, each.marks);
   return sorter;
 }
 
@@ -63,8 +62,7 @@ PatientSorter sorterOf(const Sources& sources, const ReadLimits& limits) {
 void leaveOut(Sources& sources, const std::set<fs::path>& others) {
   const auto isOther = [&others](const fs::path& file) { return others.contains(file); };
   const auto warn = [&sources](const fs::path& file) {
-    sources.warnings.push_back(
-        {file.string(), "is of another patient than the files before it; left out"});
+    sources.warnings.push_back({file.string(), otherPatient});
   };
   for (ImportSource& source : sources.sources)
     if (source.scene && isOther(source.path)) {
@@ -94,6 +92,72 @@ void leaveOut(Sources& sources, const std::set<fs::path>& others) {
 
 }  // namespace
 
+/// What marks say of each other, the gravest last.
+enum class PatientSorter::Kinship : std::uint8_t { unknown, same, perhapsApart, apart };
+
+PatientSorter::Kinship PatientSorter::kinshipOf(const Marked& one, const Marked& other) const {
+  const auto compared = [](const auto& a, const auto& b, Kinship otherwise) {
+    return !a || !b ? Kinship::unknown : *a == *b ? Kinship::same : otherwise;
+  };
+  if (!one.traces.empty() && !other.traces.empty()) {
+    // Under different salts nothing can be compared.
+    const auto isShared = [&other](const SourceTrace& trace) {
+      return std::any_of(other.traces.begin(), other.traces.end(), [&trace](const SourceTrace& b) {
+        return b.salt == trace.salt && b.study == trace.study && b.frame == trace.frame;
+      });
+    };
+    return std::any_of(one.traces.begin(), one.traces.end(), isShared) ? Kinship::same
+                                                                       : Kinship::perhapsApart;
+  }
+  if (!one.traces.empty())
+    return kinshipWithScene(other.marks, one.traces);
+  if (!other.traces.empty())
+    return kinshipWithScene(one.marks, other.traces);
+  const PatientMarks& a = one.marks;
+  const PatientMarks& b = other.marks;
+  const Kinship person =
+      std::max({compared(a.id, b.id, Kinship::apart), compared(a.name, b.name, Kinship::apart),
+                compared(a.subject, b.subject, Kinship::apart)});
+  if (person != Kinship::unknown)
+    return person;
+  // Nobody is named in both: two studies may be of two bodies.
+  const Kinship study = compared(a.study, b.study, Kinship::perhapsApart);
+  return study != Kinship::unknown ? study : compared(a.frame, b.frame, Kinship::perhapsApart);
+}
+
+PatientSorter::Kinship PatientSorter::kinshipWithScene(
+    const PatientMarks& marks, const std::vector<SourceTrace>& traces) const {
+  Kinship kinship = Kinship::unknown;
+  for (const SourceTrace& trace : traces) {
+    const std::optional<SourceTrace> own = m_maker.traceOf(marks, trace.salt);
+    if (!own)
+      return Kinship::unknown;
+    const bool study = !own->study.empty() && !trace.study.empty();
+    const bool frame = !own->frame.empty() && !trace.frame.empty();
+    if (!study && !frame)
+      continue;
+    if (study ? own->study == trace.study : own->frame == trace.frame)
+      return Kinship::same;
+    kinship = Kinship::perhapsApart;
+  }
+  return kinship;
+}
+
+bool PatientSorter::haveOtherFrames(const Marked& a, const Marked& b) const {
+  if (a.traces.empty() && b.traces.empty())
+    return a.marks.frame && b.marks.frame && a.marks.frame != b.marks.frame;
+  const std::vector<SourceTrace>& traces = a.traces.empty() ? b.traces : a.traces;
+  const PatientMarks& marks = a.traces.empty() ? a.marks : b.marks;
+  bool other = false;
+  for (const SourceTrace& trace : traces) {
+    const std::optional<SourceTrace> own = m_maker.traceOf(marks, trace.salt);
+    if (!own || own->frame.empty() || own->frame == trace.frame)
+      return false;
+    other = other || !trace.frame.empty();
+  }
+  return other;
+}
+
 Error Patients::error() const {
   std::string lists;
   for (const PatientFiles& one : apart)
@@ -102,35 +166,53 @@ Error Patients::error() const {
                              : "the files are of " + std::to_string(apart.size()) +
                                    " studies, and nothing says that they are of one patient: ") +
                     lists,
-          .remedy = "Give the files of one patient, or put them together on purpose (--together)"};
+          .remedy = "Give the files of one patient, or put them together on purpose"};
 }
 
 void PatientSorter::add(const fs::path& file, std::span<const PatientMarks> marks) {
   for (const PatientMarks& each : marks) {
-    const auto known = std::find_if(m_known.begin(), m_known.end(),
-                                    [&each](const Marked& one) { return one.marks == each; });
-    Marked& to = known == m_known.end() ? m_known.emplace_back(Marked{each, {}}) : *known;
+    const auto known = std::find_if(m_known.begin(), m_known.end(), [&each](const Marked& one) {
+      return one.traces.empty() && one.marks == each;
+    });
+    Marked& to = known == m_known.end() ? m_known.emplace_back(Marked{.marks = each}) : *known;
     if (to.files.empty() || to.files.back() != file)
       to.files.push_back(file);
   }
 }
 
+void PatientSorter::add(const TracedScene& scene) {
+  if (!scene.traces.empty())
+    m_known.push_back({.traces = scene.traces, .files = {scene.file}});
+}
+
 std::vector<PatientSorter::Group> PatientSorter::groups() const {
+  const auto anyKin = [this](const Group& a, const Group& b, Kinship kinship) {
+    return std::any_of(a.begin(), a.end(), [&](const Marked* one) {
+      return std::any_of(b.begin(), b.end(),
+                         [&](const Marked* other) { return kinshipOf(*one, *other) == kinship; });
+    });
+  };
   std::vector<Group> groups;
   for (const Marked& marked : m_known) {
-    const auto kin = [&marked](const Marked* other) {
-      return kinshipOf(marked.marks, other->marks);
-    };
-    const auto own = std::find_if(groups.begin(), groups.end(), [&kin](const Group& group) {
-      return std::any_of(group.begin(), group.end(),
-                         [&kin](const Marked* other) { return kin(other) == Kinship::same; }) &&
-             std::none_of(group.begin(), group.end(),
-                          [&kin](const Marked* other) { return kin(other) == Kinship::apart; });
-    });
-    if (own == groups.end())
-      groups.push_back({&marked});
+    // What belongs to several groups shows that they are one, unless something sets them apart.
+    Group own{&marked};
+    auto place = groups.end();
+    for (auto group = groups.begin(); group != groups.end();) {
+      const bool joins = anyKin(own, *group, Kinship::same) && !anyKin(own, *group, Kinship::apart);
+      if (joins && place == groups.end()) {
+        own.insert(own.begin(), group->begin(), group->end());
+        place = group++;
+      } else if (joins) {
+        own.insert(own.end(), group->begin(), group->end());
+        group = groups.erase(group);
+      } else {
+        ++group;
+      }
+    }
+    if (place == groups.end())
+      groups.push_back(std::move(own));
     else
-      own->push_back(&marked);
+      *place = std::move(own);
   }
   return groups;
 }
@@ -143,12 +225,11 @@ Patients PatientSorter::patients() const {
     for (std::size_t j = 0; j < all.size(); ++j)
       for (const Marked* a : all[i])
         for (const Marked* b : all[j]) {
-          const Kinship kin = kinshipOf(a->marks, b->marks);
+          const Kinship kin = kinshipOf(*a, *b);
           if (i != j && kin >= Kinship::perhapsApart)
             apart.insert({i, j});
           found.certain = found.certain || (i != j && kin == Kinship::apart);
-          found.framesDiffer = found.framesDiffer || (i == j && a->marks.frame && b->marks.frame &&
-                                                      a->marks.frame != b->marks.frame);
+          found.framesDiffer = found.framesDiffer || (i == j && haveOtherFrames(*a, *b));
         }
   for (const std::size_t i : apart) {
     PatientFiles& files = found.apart.emplace_back();
@@ -158,8 +239,11 @@ Patients PatientSorter::patients() const {
   return found;
 }
 
-Status admitPatients(Sources& sources, const ImportOptions& options) {
-  const Patients patients = sorterOf(sources, options.limits).patients();
+Result<std::vector<SourceTrace>> admitPatients(Sources& sources,
+                                               const std::vector<TracedScene>& scenes,
+                                               const ImportOptions& options) {
+  std::vector<FoundMarks> found = marksIn(sources, options.limits);
+  const Patients patients = sorterOf(found, options.into.get(), scenes).patients();
   if (patients.several() && options.patients == PatientsWanted::one)
     return patients.error();
   if (patients.several() && options.patients == PatientsWanted::first) {
@@ -169,29 +253,43 @@ Status admitPatients(Sources& sources, const ImportOptions& options) {
     for (const fs::path& file : patients.apart.front().files)
       others.erase(file);
     leaveOut(sources, others);
+    std::erase_if(found, [&others](const FoundMarks& each) { return others.contains(each.file); });
   }
   if (patients.framesDiffer)
     sources.warnings.push_back(
         {"",
          "files of one patient lie in different frames of reference: nothing says that what is "
          "laid over each other fits"});
-  return Unit{};
+  std::vector<PatientMarks> marks;
+  for (const FoundMarks& each : found)
+    marks.insert(marks.end(), each.marks.begin(), each.marks.end());
+  std::vector<SourceTrace> there =
+      options.into ? options.into->traces() : std::vector<SourceTrace>();
+  for (const TracedScene& scene : scenes)
+    addTraces(there, scene.traces);
+  return newTraces(marks, there);
 }
 
 Patients patientsAmong(std::span<const fs::path> inputs, const ReadLimits& limits,
-                       ScannerSlices slices) {
+                       ScannerSlices slices, const Scene* into) {
   std::vector<fs::path> meshes;
-  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(meshes),
-               [](const fs::path& input) { return !isSceneFile(input); });
+  std::vector<TracedScene> scenes;
+  for (const fs::path& input : inputs)
+    if (!isSceneFile(input))
+      meshes.push_back(input);
+    else if (into || inputs.size() > 1)
+      if (const auto document = readSceneFile(input))
+        scenes.push_back({input, document->scene.traces()});
   std::error_code ignored;
-  const bool lone = meshes.size() < 2 &&
+  const bool lone = !into && scenes.empty() && meshes.size() < 2 &&
                     std::none_of(meshes.begin(), meshes.end(), [&ignored](const fs::path& input) {
                       return fs::is_directory(input, ignored) || input.extension() == ".mrml" ||
                              input.extension() == ".mrb";
                     });
   if (lone)
     return {};
-  return sorterOf(collectSources(meshes, limits, slices), limits).patients();
+  const Sources sources = collectSources(meshes, limits, slices);
+  return sorterOf(marksIn(sources, limits), into, scenes).patients();
 }
 
 }  // namespace sline::model

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "model/anatomy/body_systems.h"
+#include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import_steps.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/scene/known_frame.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::model {
 
@@ -51,6 +53,7 @@ Result<ImportPlan> makePlan(std::shared_ptr<const ReadInputs> read, const Import
       decided.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
                                      "structure: " + scanText(*scan.raw.volume));
   ImportPlan plan = layOutTree(decided, *read, options);
+  warnOfBodies(plan.scene, plan.report);
   plan.read = std::move(read);
   return plan;
 }
@@ -109,6 +112,15 @@ Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
   return makePlan(std::make_shared<const ReadInputs>(std::move(*read)), options, none);
 }
 
+bool mayHoldScans(std::span<const std::filesystem::path> inputs, const ReadLimits& limits) {
+  std::vector<std::filesystem::path> meshes;
+  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(meshes),
+               [](const std::filesystem::path& input) { return !isSceneFile(input); });
+  const Sources sources = collectSources(meshes, limits, ScannerSlices::read);
+  return std::any_of(sources.files.begin(), sources.files.end(),
+                     [](const SourceFile& file) { return file.slice || isVolumeFile(file.file); });
+}
+
 Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress) {
   std::shared_ptr<const ReadInputs> read = plan.read;
   if (!read || !read->holdsFor(plan.inputs, plan.options)) {
@@ -147,6 +159,44 @@ Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progr
     }
   }
   return next;
+}
+
+bool isRead(const ImportPlan& plan) {
+  return plan.read && !plan.read->emptied;
+}
+
+ImportPlan withoutContents(const ImportPlan& plan) {
+  ImportPlan kept{.inputs = plan.inputs,
+                  .options = plan.options,
+                  .scene = {},
+                  .report = {},
+                  .choices = plan.choices,
+                  .parts = plan.parts};
+  kept.options.into = nullptr;
+  if (!plan.read)
+    return kept;
+  auto names = std::make_shared<ReadInputs>();
+  names->inputs = plan.read->inputs;
+  names->options = plan.read->options;
+  names->options.into = nullptr;
+  for (const SourceFile& file : plan.read->sources.files)
+    names->sources.files.push_back({.file = file.file});
+  for (const Part& part : plan.read->parts) {
+    Part& name = names->parts.emplace_back();
+    name.file = part.file;
+    name.number = part.number;
+    name.surface = part.surface;
+  }
+  names->emptied = true;
+  kept.read = std::move(names);
+  return kept;
+}
+
+void chooseLikelyUnits(ImportPlan& plan) {
+  for (const UnitDoubt& doubt : plan.report.unitDoubts)
+    if (!doubt.units.empty())
+      for (const NodeId id : structuresOf(plan, doubt))
+        plan.choices[id].unit = doubt.units.front();
 }
 
 std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> ids) {

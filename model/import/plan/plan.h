@@ -54,9 +54,22 @@ struct ImportPlan {
 Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress = {});
 
+/// Tells whether any of the inputs is of a kind that scans are written in.
+bool mayHoldScans(std::span<const std::filesystem::path> inputs, const ReadLimits& limits);
+
 /// Plans again after changes, with the choices of the plan. Files are read again only where inputs,
 /// repair or limits differ from before; a structure that no longer exists loses its choice.
 Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress = {});
+
+/// Returns the plan without what was read, small enough to be kept: it is planned again with its
+/// inputs, options and choices when it is wanted.
+ImportPlan withoutContents(const ImportPlan& plan);
+
+/// Tells whether the plan has read what there is to read.
+bool isRead(const ImportPlan& plan);
+
+/// Takes the likeliest unit for all structures whose unit is in doubt and has one.
+void chooseLikelyUnits(ImportPlan& plan);
 
 /// Returns all structures that came from the same files as these, including these; none that came
 /// from scene files.

@@ -21,13 +21,18 @@ bool sameLimits(const ReadLimits& a, const ReadLimits& b) {
 }
 
 /// Collects the sources; fails where they are not of one patient, and need be.
-Status collect(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWanted scans) {
+Status collect(ReadInputs& read, const std::vector<fs::path>& meshes,
+               const std::vector<TracedScene>& scenes, ScansWanted wanted) {
   const ImportOptions& options = read.options;
   const bool asked = !options.thresholds.empty() || options.keepScans;
-  const bool slices = asked || scans == ScansWanted::all;
+  const bool slices = asked || wanted == ScansWanted::all;
   read.sources =
       collectSources(meshes, options.limits, slices ? ScannerSlices::read : ScannerSlices::leftOut);
-  return admitPatients(read.sources, options);
+  Result<std::vector<SourceTrace>> traces = admitPatients(read.sources, scenes, options);
+  if (!traces.ok())
+    return traces.error();
+  read.traces = std::move(*traces);
+  return Unit{};
 }
 
 Status readMeshes(ReadInputs& read, ScansWanted scans, const ImportProgress& progress) {
@@ -69,10 +74,10 @@ std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const Impo
 }  // namespace
 
 bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions& with) const {
-  return std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
+  return !emptied && std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
          options.repair == with.repair && options.assembly == with.assembly &&
-         options.patients == with.patients && options.memoryBytes == with.memoryBytes &&
-         sameLimits(options.limits, with.limits);
+         options.patients == with.patients && options.keepFileNames == with.keepFileNames &&
+         options.memoryBytes == with.memoryBytes && sameLimits(options.limits, with.limits);
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,
@@ -82,16 +87,19 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
   std::vector<fs::path> scenes;
   for (const fs::path& input : inputs)
     (isSceneFile(input) ? scenes : meshes).push_back(input);
+  std::vector<TracedScene> traced;
   if (!scenes.empty()) {
-    // The effect of the options on scenes is reported when decisions are made.
-    Result<Imported> opened = openScenes(scenes, {});
+    // The effect of other options on scenes is reported when decisions are made.
+    Result<OpenedScenes> opened =
+        openScenes(scenes, {.patients = options.patients, .into = options.into});
     if (!opened.ok())
       return opened.error();
-    read.scenes = std::move(*opened);
+    read.scenes = std::move(opened->all);
+    traced = std::move(opened->traced);
     if (meshes.empty())
       return read;
   }
-  if (const Status admitted = collect(read, meshes, scans); !admitted.ok())
+  if (const Status admitted = collect(read, meshes, traced, scans); !admitted.ok())
     return admitted.error();
   if (const Status done = readMeshes(read, scans, progress); !done.ok()) {
     if (scenes.empty())

@@ -21,8 +21,10 @@ struct ReadInputs {
   std::vector<ReadScan> scans;          ///< kept or not, as they were wanted
   std::vector<ImportWarning> warnings;  ///< from reading the surfaces
   std::vector<std::string> notes;
-  std::vector<LeftOutTwin> twins;  ///< as in LoadedParts
-  std::optional<Imported> scenes;  ///< from scene files among the inputs
+  std::vector<LeftOutTwin> twins;   ///< as in LoadedParts
+  std::optional<Imported> scenes;   ///< from scene files among the inputs
+  std::vector<SourceTrace> traces;  ///< of what was read, for the scene that is made of it
+  bool emptied = false;             ///< of what was read only the names are left
 
   /// Tells whether reading with these inputs and options would give the same; apart from smoothing,
   /// which only some readers do, and thresholds.

@@ -96,7 +96,10 @@ std::optional<std::size_t> partNamed(const std::vector<std::string>& parts,
                                      const std::string& wanted) {
   if (wanted.empty())
     return parts.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
-  const auto found = std::find(parts.begin(), parts.end(), wanted);
+  auto found = std::find(parts.begin(), parts.end(), wanted);
+  if (found == parts.end())
+    found = std::find_if(parts.begin(), parts.end(),
+                         [&wanted](const std::string& part) { return partMark(part) == wanted; });
   if (found == parts.end())
     return std::nullopt;
   return std::size_t(found - parts.begin());

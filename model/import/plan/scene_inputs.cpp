@@ -157,6 +157,9 @@ NewIds append(Scene& to, const Scene& added) {
   std::vector<Scan> scans = to.scans();
   scans.insert(scans.end(), added.scans().begin(), added.scans().end());
   to.setScans(std::move(scans));
+  std::vector<SourceTrace> traces = to.traces();
+  addTraces(traces, added.traces());
+  to.setTraces(std::move(traces));
   if (to.focus() == Focus())
     to.setFocus(moved(added.focus(), ids));
   if (!to.keyLight())
@@ -173,6 +176,7 @@ NewIds append(Imported& to, Imported added) {
   };
   take(to.report.warnings, added.report.warnings);
   take(to.report.notes, added.report.notes);
+  take(to.report.unitDoubts, added.report.unitDoubts);
   take(to.report.repairs.surfaces, added.report.repairs.surfaces);
   // Scene files come first and repair nothing, so at most one has something to say.
   to.report.repairs.summary += added.report.repairs.summary;
@@ -180,13 +184,28 @@ NewIds append(Imported& to, Imported added) {
   return ids;
 }
 
-Result<Imported> openScenes(std::span<const std::filesystem::path> files,
-                            const ImportOptions& options) {
-  Imported all;
+Result<OpenedScenes> openScenes(std::span<const std::filesystem::path> files,
+                                const ImportOptions& options) {
+  OpenedScenes opened;
+  Imported& all = opened.all;
+  PatientSorter sorter;
+  if (options.into)
+    sorter.add({openSceneName, options.into->traces()});
   for (const std::filesystem::path& file : files) {
     Result<SceneDocument> document = readSceneFile(file);
     if (!document.ok())
       return document.error();
+    PatientSorter with = sorter;
+    with.add({file, document->scene.traces()});
+    const Patients patients = with.patients();
+    if (patients.several() && options.patients == PatientsWanted::one)
+      return patients.error();
+    if (patients.several() && options.patients == PatientsWanted::first) {
+      all.report.warnings.push_back({file.string(), otherPatient});
+      continue;
+    }
+    sorter = std::move(with);
+    opened.traced.push_back({file, document->scene.traces()});
     Imported one{.scene = std::move(document->scene), .others = std::move(document->others)};
     if (const std::string warning = document->warning(); !warning.empty())
       one.report.warnings.push_back({file.string(), warning});
@@ -197,7 +216,7 @@ Result<Imported> openScenes(std::span<const std::filesystem::path> files,
   }
   all.report.frameReason = frameReasonOf(all.scene);
   warnOfOptions(options, all.report.warnings);
-  return all;
+  return opened;
 }
 
 }  // namespace sline::model

@@ -8,13 +8,21 @@
 #include <vector>
 
 #include "model/import/plan/import.h"
+#include "model/import/plan/patients.h"
 
 namespace sline::model {
 
+/// Holds scene files in one scene, and what each of them knows of whose it is.
+struct OpenedScenes {
+  Imported all;
+  std::vector<TracedScene> traced;
+};
+
 /// Reads the scene files and puts them below each other; the error is that of the first that cannot
-/// be read. Warns of options that do not apply to them.
-Result<Imported> openScenes(std::span<const std::filesystem::path> files,
-                            const ImportOptions& options);
+/// be read, or says that they are of several patients and the options do not want that. Warns of
+/// options that do not apply to them.
+Result<OpenedScenes> openScenes(std::span<const std::filesystem::path> files,
+                                const ImportOptions& options);
 
 /// Warns of options that do not apply to scene files.
 void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings);
@@ -22,8 +30,8 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
 /// Maps the id that a node had in the added scene to its id now.
 using NewIds = std::map<NodeId, NodeId>;
 
-/// Adds scans, and nodes, sections, annotations and views under ids that are free in `to`; the
-/// nodes of `to` keep theirs. The key light of `to` takes precedence over the other's.
+/// Adds scans, traces, and nodes, sections, annotations and views under ids that are free in `to`;
+/// the nodes of `to` keep theirs. The key light of `to` takes precedence over the other's.
 NewIds append(Scene& to, const Scene& added);
 /// Adds reports and further files as well.
 NewIds append(Imported& to, Imported added);

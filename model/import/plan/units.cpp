@@ -185,6 +185,11 @@ class UnitDecision {
       }
   }
 
+  /// Tells whether nobody needs to be asked for the unit: a person or the file has stated it.
+  bool isStated(const Part& part) const {
+    return isSettled(part) || isUnitStated(part.raw.unitReason);
+  }
+
   template <class Of>
   void tell(UnitDoubt doubt, const NamedSizes& sizes, const Of& isOf) {
     const auto wrong = std::find_if(sizes.begin(), sizes.end(), [](const NamedSize& size) {
@@ -193,6 +198,11 @@ class UnitDecision {
     doubt.name = m_parts[wrong->part].name;
     doubt.extent = wrong->extent;
     doubt.expected = wrong->expected;
+    if (isStated(m_parts[wrong->part])) {
+      doubt.stated = m_parts[wrong->part].raw.unitReason;
+      m_report.warnings.push_back({doubt.file, doubt.text()});
+      return;
+    }
     for (Part& part : m_parts)
       if (isOf(part) && !isSettled(part) && isSure(part.provenance.unitEvidence)) {
         part.provenance.unitEvidence = Evidence::conflict;
@@ -218,6 +228,8 @@ std::string UnitDoubt::text() const {
   if (named > 1)
     told = std::to_string(named - fitting) + " of " + std::to_string(named) +
            " structures are not as large as their names say: " + told;
+  if (!stated.empty())
+    return told + "; its unit is stated (" + stated + ") and was followed";
   if (units.empty())
     return told + "; no usual unit would make it right";
   std::string lengths;

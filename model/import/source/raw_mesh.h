@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/base/result.h"
@@ -24,6 +25,14 @@ namespace sline::model {
 enum class Frame { lps, ras, las, rps, file };
 
 struct GreyVolume;  // volumes/grey_volume.h
+
+/// What RawMesh::unitReason says, or begins with, where the format or the file's own header states
+/// the unit: a scanner's file is in the millimetres that it says. Others are by custom.
+inline constexpr std::string_view dicomUnit = "DICOM: millimetres";
+inline constexpr std::string_view statedUnit = "header: ";
+constexpr bool isUnitStated(std::string_view reason) {
+  return reason == dicomUnit || reason.starts_with(statedUnit);
+}
 
 struct RawMesh {
   std::string name;                  ///< the group's or node's name in the file; may be empty

@@ -135,10 +135,8 @@ Result<VolumeRead> readVolume(const fs::path& file, const ReadOptions& options) 
     return Error{volume->stored.file,
                  {},
                  "is a scan rather than a label volume: " + labels->image,
-                 "Give a threshold that makes a structure of it (--threshold NAME=VALUE, or " +
-                     presetList() +
-                     " for one of the presets), or choose the segmentation that "
-                     "was made of it"};
+                 "Give a threshold that makes a structure of it, or choose the segmentation that "
+                 "was made of it"};
   Result<GreyVolumeRead> scan = greyOf(*volume, file.filename().string(), options);
   if (!scan)
     return named(scan.error(), file);

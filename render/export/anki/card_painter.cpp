@@ -87,6 +87,8 @@ ExportOrder forPhones(const ExportOrder& order) {
 
 LabelPlate onlyThose(const LabelPlate& plate, const std::set<model::AnnotationId>& those) {
   LabelPlate some{.style = plate.style, .labels = {}, .texts = {}, .layout = plate.layout};
+  if (some.style.ground == Background::transparent)  // cards lay it over the picture
+    some.style.ground = Background::white;
   for (std::size_t i = 0; i < plate.labels.size(); ++i)
     if (those.contains(plate.labels[i].item.id)) {
       some.labels.push_back(plate.labels[i]);

@@ -18,7 +18,7 @@ Status writeSheet(const ComparisonSheet& sheet, const std::filesystem::path& tar
         {.id = cell.id, .name = cell.name, .drawing = cell.drawing, .at = cell.at});
   page.writings.push_back(
       {.id = "text", .name = "Text", .lettering = sheet.lettering, .halos = false});
-  return writePage(page, target, dpi);
+  return writePage(page, target, {.dpi = dpi});
 }
 
 }  // namespace sline::render

@@ -8,7 +8,7 @@
 
 namespace sline::render {
 
-/// Tells whether a sheet can be written under that name: png, pdf or svg.
+/// Tells whether a sheet can be written under that name: pdf, svg, png or tiff.
 Status checkSheetName(const std::filesystem::path& target);
 
 /// Writes the sheet as its name's ending says: SVG and PDF with lines as lines and text as text,

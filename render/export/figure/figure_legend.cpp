@@ -53,7 +53,7 @@ std::vector<LetteringItem> FigureLegendRows::drawnAt(const glm::vec2& corner, fl
         legendRow(m_entries[i],
                   corner + glm::vec2(indentMm + column * (columns.width + measure.between),
                                      (row + baseline) * measure.row),
-                  m_points, letteringColours(false)));
+                  m_points, letteringColours()));
   }
   return rows;
 }

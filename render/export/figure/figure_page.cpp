@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "render/export/description/alt_text.h"
+#include "render/export/encoding/xml_text.h"
+#include "render/export/figure/figure_options.h"
 #include "render/export/figure/line_weights.h"
 #include "render/export/figure/panel_cameras.h"
 #include "render/vectors/cropped.h"
@@ -76,7 +79,7 @@ class Frames {
   static LetteringShape shapeOf(Path path) {
     return {.path = std::move(path),
             .pen = framePen,
-            .ink = letteringColours(false).ink,
+            .ink = letteringColours().ink,
             .fill = {},
             .halo = frameHalo};
   }
@@ -146,8 +149,10 @@ Lettering lettersAndLegend(const FigurePlan& plan) {
     if (!panel.letter.empty())
       lettering.items.push_back(drawnLetter(plan.figure, panel.letter, panel.box.at));
   const model::FigureBox& box = plan.layout.legend;
-  std::vector<LetteringItem> legend = plan.legend.drawnAt(box.at, box.size.x);
-  lettering.items.insert(lettering.items.end(), legend.begin(), legend.end());
+  const glm::vec2 below{0.0f, plan.legend.heightIn(box.size.x)};
+  for (const auto& items :
+       {plan.legend.drawnAt(box.at, box.size.x), plan.credits.drawnAt(box.at + below, box.size.x)})
+    lettering.items.insert(lettering.items.end(), items.begin(), items.end());
   return lettering;
 }
 
@@ -220,6 +225,41 @@ DrawnPage pageOf(const ComposedFigure& figure, const ExportCredit& credit) {
   page.writings.push_back(
       {.id = "letters", .name = "Letters and legend", .lettering = figure.writing});
   return page;
+}
+
+ExportCredit creditOf(const ComposedFigure& figure, const ExportOrder& options) {
+  const FigurePlan& plan = figure.plan;
+  ExportCredit credit{.author = plainLine(options.credit.author),
+                      .copyright = plainLine(options.credit.copyright)};
+  if (const std::string sources = sourcesOf(plan.panels);
+      options.sourcesInPicture() && !sources.empty())
+    credit.copyright += (credit.copyright.empty() ? "" : "; ") + sources;
+  if (!options.altText.empty()) {
+    const AltText said = altTextOf(options);
+    credit.description = said.text;
+    return credit;
+  }
+  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    if (plan.figure.panels[i].inset)
+      continue;
+    const AltText said = altTextOf(plan.panels[i]);
+    const std::string& letter = plan.layout.panels[i].letter;
+    if (said.text.empty())
+      continue;
+    credit.description +=
+        (credit.description.empty() ? "" : " ") + (letter.empty() ? "" : letter + ": ") + said.text;
+    credit.descriptionLanguage = said.language;
+  }
+  return credit;
+}
+
+Status writeFigure(const ComposedFigure& figure, const ExportOrder& options,
+                   const std::filesystem::path& target, const ExportProgress& progress) {
+  const bool ink = figure.plan.figure.blackAndWhite;
+  if (Status fine = checkFigureOptions(options, ink); !fine.ok())
+    return fine;
+  return writePage(pageOf(figure, creditOf(figure, options)), target, pixelsOf(options, ink),
+                   progress);
 }
 
 }  // namespace sline::render

@@ -31,4 +31,12 @@ Result<ComposedFigure> composeFigure(const FigurePlan& plan, const ExportProgres
 /// Returns the page, which refers to the figure.
 DrawnPage pageOf(const ComposedFigure& figure, const ExportCredit& credit = {});
 
+/// Returns who made the figure, what it shows and, where its page says it, whose work it is of.
+/// What is not said of what it shows is that of its panels one by one.
+ExportCredit creditOf(const ComposedFigure& figure, const ExportOrder& options);
+
+/// Writes the figure as its name's ending says; see `writePage`.
+Status writeFigure(const ComposedFigure& figure, const ExportOrder& options,
+                   const std::filesystem::path& target, const ExportProgress& progress);
+
 }  // namespace sline::render

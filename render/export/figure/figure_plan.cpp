@@ -2,13 +2,16 @@
 #include "render/export/figure/figure_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/edit/views.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/figure/panel_cameras.h"
+#include "render/export/order/ink_alone.h"
 #include "render/export/plate/plate_image.h"
+#include "render/lettering/scale_length.h"
 #include "render/lettering/typesetting.h"
 
 namespace sline::render {
@@ -21,6 +24,7 @@ constexpr float letterAir = 1.0f;
 constexpr float insetAir = 1.0f;
 constexpr float linesOfHeight = 720.0f;  // λ (METHOD §1)
 constexpr float contourPen = 2.0f;       // λ
+constexpr float creditShare = 0.65f;     // of the labels' size
 
 LegendList listOf(model::FigureLegend legend) {
   switch (legend) {
@@ -43,12 +47,13 @@ LetteringText letterText(const model::Figure& figure, const std::string& letter,
   return {.lines = {line},
           .at = corner + glm::vec2(letterIndent, letterIndent + capHeightMm(figure.letterPoints)),
           .points = figure.letterPoints,
-          .ink = letteringColours(false).ink};
+          .ink = letteringColours().ink};
 }
 
 class Planning {
  public:
-  Planning(const model::Figure& figure, const FigureScenes& scenes) : m_scenes(scenes) {
+  Planning(const model::Figure& figure, const FigureScenes& scenes, const ExportOrder& options)
+      : m_scenes(scenes), m_options(options) {
     m_plan.figure = figure;
   }
 
@@ -69,13 +74,19 @@ class Planning {
         return shown.error();
     for (const ExportOrder& panel : m_plan.panels)
       m_plan.legend.add(panel.scene, figure().language);
-    layout = model::layOut(figure(), m_plan.legend.heightIn(figure().widthMm));
+    if (m_options.sourcesInPicture())
+      m_plan.credits = {sourcesOf(m_plan.panels),
+                        std::max(creditShare * figure().points, figure().leastPoints)};
+    layout = model::layOut(figure(), m_plan.legend.heightIn(figure().widthMm) +
+                                         m_plan.credits.heightIn(figure().widthMm));
     if (!layout.ok())
       return layout.error();
     m_plan.layout = std::move(*layout);
     reserve();
     for (const std::size_t i : m_plan.layout.order)
       aim(i);
+    if (figure().sameScale)
+      level();
     measurePens();
     return std::move(m_plan);
   }
@@ -104,7 +115,6 @@ class Planning {
     const model::Scene& scene = *found->second;
     if (inset && panel.view.empty()) {
       order.scene = m_plan.panels[*from].scene;
-      order.inColour = m_plan.panels[*from].inColour;
       return Unit{};
     }
     order.scene = scene;
@@ -113,13 +123,12 @@ class Planning {
       order.scene = model::withViewApplied(scene, *saved).scene;
       order.camera = saved->camera;
       order.viewName = saved->name;
+      order.words = saved->words;
       m_saved.insert({index, true});
     } else if (!panel.view.empty() &&
                !model::anatomicalViewNamed(model::normalisedName(panel.view))) {
       return unknownView(index, scene);
     }
-    if (figure().blackAndWhite)
-      drawInInk(order);
     return Unit{};
   }
 
@@ -138,7 +147,7 @@ class Planning {
     names.insert(names.end(), model::anatomicalViewNames.begin(), model::anatomicalViewNames.end());
     std::string near = model::nearNamesText(wish(index).view, names);
     return fault(index, "its scene has no view \"" + wish(index).view + "\"",
-                 near.empty() ? "`sline view SCENE --list` lists the saved views" : near);
+                 near.empty() ? "Name one of the scene's saved views" : near);
   }
 
   /// Gives each panel its page and says where nothing may stand in it.
@@ -149,16 +158,18 @@ class Planning {
       ExportOrder& order = m_plan.panels[i];
       order.page.sizeMm = placed.box.size;
       order.legend = LegendList::none;
-      order.labels = {
-          .mode = panel.labels.value_or(figure().labels) ? LabelMode::on : LabelMode::off,
-          .points = figure().points,
-          .language = figure().language,
-          .seenOnly = panel.inset.has_value()};  // it shows a part of a panel closer
+      order.labels = {.mode = panel.labels.value_or(model::usualLabels(figure(), i))
+                                  ? LabelMode::on
+                                  : LabelMode::off,
+                      .points = figure().points,
+                      .language = figure().language,
+                      .seenOnly = panel.inset.has_value()};  // it shows a part of a panel closer
       order.marks = ExportMarks::none();
-      order.marks.scaleBar = panel.scaleBar.value_or(figure().scaleBars);
-      order.marks.sides = panel.sides.value_or(figure().sides && !panel.inset);
+      order.marks.scaleBar = panel.scaleBar.value_or(model::usualScaleBar(figure(), i));
+      order.marks.sides = panel.sides.value_or(model::usualSides(figure(), i));
       order.marks.gammaKey = true;
-      order.pureInk = figure().blackAndWhite;
+      if (figure().blackAndWhite)
+        leaveInkAlone(order);
       if (!placed.letter.empty())
         order.labels.reserved.push_back(letterBox(figure(), placed.letter));
     }
@@ -215,6 +226,31 @@ class Planning {
     order.camera.target += by;
   }
 
+  /// Returns how many millimetres of the body one of paper shows, where scale bars are true; absent
+  /// where the panel shows nothing.
+  static std::optional<float> scaleOf(const ExportOrder& order) {
+    const std::optional<ScalePlace> place = scalePlaces(order.scene).in(order.camera);
+    if (!place)
+      return std::nullopt;
+    const float scale = model::millimetresPerPixel(order.camera, place->at, order.page.sizeMm.y);
+    return scale > 0.0f && std::isfinite(scale) ? std::optional(scale) : std::nullopt;
+  }
+
+  /// Gives all panels but insets the scale of the one that shows most, so that none shows less.
+  void level() {
+    float widest = 0.0f;
+    for (std::size_t i = 0; i < m_plan.panels.size(); ++i)
+      if (!wish(i).inset)
+        widest = std::max(widest, scaleOf(m_plan.panels[i]).value_or(0.0f));
+    for (std::size_t i = 0; i < m_plan.panels.size(); ++i)
+      if (const auto scale = scaleOf(m_plan.panels[i]); scale && !wish(i).inset)
+        m_plan.panels[i].camera = withHeight(m_plan.panels[i].camera, widest / *scale);
+    m_plan.frames.clear();
+    for (const std::size_t i : m_plan.layout.order)
+      if (wish(i).inset)
+        aimInset(i, *m_plan.layout.panels[i].from);
+  }
+
   void aimInset(std::size_t index, std::size_t of) {
     const model::PanelInset& inset = *wish(index).inset;
     ExportOrder& order = m_plan.panels[index];
@@ -238,24 +274,17 @@ class Planning {
     if (finer == 1.0f)
       return;
     for (ExportOrder& order : m_plan.panels) {
-      order.scene = withFinerPens(order.scene, finer);
-      if (order.inColour)
-        order.inColour =
-            std::make_shared<const model::Scene>(withFinerPens(*order.inColour, finer));
+      const std::vector<model::ResolvedStyle> styles = model::resolveAll(order.scene);
+      std::vector<model::Node> nodes = order.scene.nodes();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!nodes[i].isGroup())
+          nodes[i].style.penWeight = finer * styles[i].penWeight;
+      order.scene.setNodes(std::move(nodes));
     }
   }
 
-  static model::Scene withFinerPens(model::Scene scene, float finer) {
-    const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
-    std::vector<model::Node> nodes = scene.nodes();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (!nodes[i].isGroup())
-        nodes[i].style.penWeight = finer * styles[i].penWeight;
-    scene.setNodes(std::move(nodes));
-    return scene;
-  }
-
   const FigureScenes& m_scenes;
+  const ExportOrder& m_options;
   std::unique_ptr<Typesetting> m_typesetting;
   FigurePlan m_plan;
   std::map<std::size_t, std::string> m_files;  ///< of the panels' scenes
@@ -276,8 +305,9 @@ LetteringItem drawnLetter(const model::Figure& figure, const std::string& letter
   return {.name = "letter " + letter, .shapes = {}, .text = letterText(figure, letter, corner)};
 }
 
-Result<FigurePlan> planFigure(const model::Figure& figure, const FigureScenes& scenes) {
-  return Planning(figure, scenes).make();
+Result<FigurePlan> planFigure(const model::Figure& figure, const FigureScenes& scenes,
+                              const ExportOrder& options) {
+  return Planning(figure, scenes, options).make();
 }
 
 }  // namespace sline::render

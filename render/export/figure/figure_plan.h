@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "model/figure/figure_layout.h"
+#include "render/export/figure/figure_credits.h"
 #include "render/export/figure/figure_legend.h"
+#include "render/export/figure/figure_options.h"
 #include "render/export/order/export_order.h"
 
 namespace sline::render {
@@ -31,13 +33,16 @@ struct FigurePlan {
   std::vector<ExportOrder> panels;  ///< on pages of their size
   std::vector<InsetFrame> frames;
   FigureLegendRows legend{LegendList::none, 0.0f};
+  FigureCredits credits;  ///< below the legend
   /// The height that pens are measured by, the same for all panels; millimetres.
   float penHeightMm = 0.0f;
 };
 
 /// Plans the figure. Errors name the panel: a scene that is not there, a view that its scene lacks,
-/// a place that it cannot have. It needs a QGuiApplication.
-Result<FigurePlan> planFigure(const model::Figure& figure, const FigureScenes& scenes);
+/// a place that it cannot have. The options (`figureOptions`) say whether the page tells whose work
+/// the surfaces are. It needs a QGuiApplication.
+Result<FigurePlan> planFigure(const model::Figure& figure, const FigureScenes& scenes,
+                              const ExportOrder& options = usualFigureOrder());
 
 /// Returns the room that the letter takes of its panel's upper left corner.
 LabelBox letterBox(const model::Figure& figure, const std::string& letter);

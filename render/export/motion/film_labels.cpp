@@ -53,7 +53,7 @@ ExportOrder FilmLabels::orderOf(const FilmFrame& frame) const {
 
 LabelStyle FilmLabels::style() const {
   LabelStyle style = m_order.labels;
-  style.onDark = m_order.environment.background == Background::dark;
+  style.ground = m_order.environment.background;
   style.edges = m_edges;
   style.reserved.insert(style.reserved.end(), m_boxes.begin(), m_boxes.end());
   return style;

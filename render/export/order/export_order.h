@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -78,16 +77,13 @@ enum class SourceCredits { withSurfaces, off, line, page };
 /// saved view, a focus or sections that were asked for are already applied.
 struct ExportOrder {
   model::Scene scene;
-  /// Where the scene is of ink alone: the same in colour. What is written stands where it does in
-  /// colour, so that both prints of a plate show the same in the same places (`writtenScene`).
-  std::shared_ptr<const model::Scene> inColour;
   model::Camera camera;
   std::string viewName;    ///< of the camera, for the reader; empty: none
   model::ViewWords words;  ///< of the saved view that is shown; empty for others
   ExportPage page;
   Environment environment;
   /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene
-  /// should be of ink alone (`drawInInk`).
+  /// should be of ink alone (`model::withInkAlone`).
   bool pureInk = false;
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
@@ -152,12 +148,6 @@ class ExportProgress {
   std::function<bool(double, std::string_view)> m_tell;
   ExportNotes* m_notes = nullptr;
 };
-
-/// Draws the order's scene in ink alone (`model::withInkAlone`).
-void drawInInk(ExportOrder& order);
-/// Returns the scene for which labels and marks are laid out: the order's own or, in ink alone,
-/// that in colour, with the order's labels.
-model::Scene writtenScene(const ExportOrder& order);
 
 /// Returns the error of a writer that was stopped; such a writer leaves no file.
 Error givenUp(const std::filesystem::path& target);

@@ -11,6 +11,8 @@
 
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/order/ink_alone.h"
+#include "render/lettering/looks_in_colour.h"
 #include "render/lettering/mark_words.h"
 
 namespace sline::render {
@@ -63,10 +65,10 @@ bool wantsAllViews(const ExportOrder& order) {
 
 ExportOrder orderOfView(const ExportOrder& order, const model::View& view) {
   ExportOrder one = order;
-  one.scene = model::withViewApplied(order.pureInk ? writtenScene(order) : order.scene, view).scene;
-  one.inColour.reset();
+  const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
+  one.scene = model::withViewApplied(scene, view).scene;
   if (order.pureInk)
-    drawInInk(one);
+    leaveInkAlone(one);
   one.camera = view.camera;
   one.viewName = view.name;
   one.words = view.words;

@@ -283,4 +283,12 @@ std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const Questio
   return Content(book, kinds).members();
 }
 
+std::vector<std::string> shortenedInH5p(const QuestionBook& book) {
+  std::vector<std::string> texts;
+  for (const std::string& text : {plainLine(book.title), book.credit.author})
+    if (text.size() > longestField)
+      texts.push_back(text);
+  return texts;
+}
+
 }  // namespace sline::render

@@ -16,4 +16,7 @@ namespace sline::render {
 /// both.
 std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const QuestionKinds& kinds);
 
+/// Returns the texts of which the package holds only a part, as the format limits their fields.
+std::vector<std::string> shortenedInH5p(const QuestionBook& book);
+
 }  // namespace sline::render

@@ -99,10 +99,12 @@ Status writeQti(const ExportOrder& order, const fs::path& target, const ExportPr
 }
 
 Status writeH5p(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
-  return writeQuestions(order, target, progress,
-                        [](const QuestionBook& book, const QuestionKinds& kinds) {
-                          return zippedMembers(h5pPackage(book, kinds));
-                        });
+  return writeQuestions(
+      order, target, progress, [&progress](const QuestionBook& book, const QuestionKinds& kinds) {
+        if (const auto texts = shortenedInH5p(book); !texts.empty())
+          progress.note({.kind = ExportNote::Kind::textShortened, .names = texts, .detail = {}});
+        return zippedMembers(h5pPackage(book, kinds));
+      });
 }
 
 }  // namespace sline::render

@@ -9,20 +9,29 @@
 
 #include "model/base/letters.h"
 #include "model/disk/whole_file.h"
-#include "render/export/encoding/row_file.h"
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/picture_pages.h"
+#include "render/export/pixels/image_file.h"
 #include "render/lettering/lettering.h"
 
 namespace sline::render {
 
 namespace {
 
-/// Puts all of it on a page of any kind; without `setText` letters are outlines.
-void setPage(const DrawnPage& page, SheetPages& pages, const TextSetter& setText) {
-  for (const SvgFigure& figure : page.drawings)
+/// Puts all of it on a page of any kind; without `setText` letters are outlines. `goOn(share)` is
+/// asked before each part and ends it where it returns false.
+bool setPage(const DrawnPage& page, SheetPages& pages, const TextSetter& setText,
+             const std::function<bool(double)>& goOn) {
+  const auto count = double(page.drawings.size() + 1);
+  double done = 0.0;
+  for (const SvgFigure& figure : page.drawings) {
+    if (!goOn(done++ / count))
+      return false;
     pages.place(*figure.drawing,
                 {.at = figure.at, .clip = {figure.at, figure.at + figure.drawing->sizeMm}});
+  }
+  if (!goOn(done / count))
+    return false;
   for (const SvgWriting& writing : page.writings) {
     QPainter& painter = pages.painter();
     painter.save();
@@ -30,69 +39,159 @@ void setPage(const DrawnPage& page, SheetPages& pages, const TextSetter& setText
     paintLettering(painter, writing.lettering, setText);
     painter.restore();
   }
+  return true;
 }
 
-Status writePdfPage(const DrawnPage& page, const std::filesystem::path& target) {
+bool always(double) {
+  return true;
+}
+
+/// A part of a page's picture, from some row on.
+class BandPage : public SheetPages {
+ public:
+  BandPage(double pixelsPerMm, int top, const QSize& size)
+      : m_image(size, QImage::Format_ARGB32_Premultiplied) {
+    m_image.fill(Qt::white);
+    m_painter = std::make_unique<QPainter>(&m_image);
+    m_painter->setRenderHint(QPainter::Antialiasing);
+    m_painter->translate(0.0, -qreal(top));
+    m_painter->scale(pixelsPerMm, pixelsPerMm);
+  }
+
+  void newPage() override {}
+  QPainter& painter() override { return *m_painter; }
+  void place(const VectorDrawing& drawing, const PdfPlacement& place) override {
+    paintDrawing(*m_painter, drawing, place);
+  }
+  QImage finish() {
+    m_painter.reset();
+    return std::move(m_image);
+  }
+
+ private:
+  QImage m_image;
+  std::unique_ptr<QPainter> m_painter;
+};
+
+/// Returns the picture's rows as the layout has them, on white.
+std::vector<std::byte> packedRows(const QImage& band, const PixelLayout& layout) {
+  std::vector<std::byte> bytes(layout.rowBytes() * std::size_t(band.height()));
+  if (layout.channels == 3) {
+    const QImage colours = band.convertToFormat(QImage::Format_RGB888);
+    for (int y = 0; y < band.height(); ++y)
+      std::copy_n(std::as_bytes(std::span(colours.constScanLine(y), layout.rowBytes())).begin(),
+                  layout.rowBytes(), bytes.begin() + std::ptrdiff_t(y) * layout.rowBytes());
+    return bytes;
+  }
+  constexpr std::uint8_t half = 128;  // a pixel half covered by ink is ink
+  const QImage greys = band.convertToFormat(QImage::Format_Grayscale8);
+  for (int y = 0; y < band.height(); ++y) {
+    const std::uint8_t* from = greys.constScanLine(y);
+    std::byte* to = bytes.data() + std::size_t(y) * layout.rowBytes();
+    for (int x = 0; x < band.width(); ++x)
+      if (from[x] >= half) {
+        if (layout.bits == 1)
+          to[x / 8] |= std::byte(0x80 >> (x % 8));
+        else
+          to[x] = std::byte(0xff);
+      }
+  }
+  return bytes;
+}
+
+Result<PixelLayout> layoutOf(const DrawnPage& page, const PagePixels& pixels) {
+  const double perMm = double(pixels.dpi) / double(millimetresPerInch);
+  const auto side = [perMm](float mm) { return std::lround(double(mm) * perMm); };
+  if (std::max(side(page.sizeMm.x), side(page.sizeMm.y)) > pixelSideLimits.high)
+    return Error{.reason = "the sheet would have more than 20000 pixels on a side",
+                 .remedy = "Take fewer pixels to the inch, or a smaller sheet"};
+  return PixelLayout{.width = std::max(int(side(page.sizeMm.x)), pixelSideLimits.low),
+                     .height = std::max(int(side(page.sizeMm.y)), 1),
+                     .channels = pixels.inkAlone ? 1 : 3,
+                     .bits = pixels.inkAlone ? pixels.bits : 8,
+                     .dpi = pixels.dpi,
+                     .credit = page.credit};
+}
+
+Status writePixelPage(const DrawnPage& page, const std::filesystem::path& target,
+                      const PagePixels& pixels, const ExportProgress& progress) {
+  const Result<PixelLayout> layout = layoutOf(page, pixels);
+  if (!layout.ok())
+    return layout.error();
+  constexpr int bandPixels = 4'000'000;
+  const int most = std::clamp(bandPixels / layout->width, 1, layout->height);
+  const double perMm = double(layout->width) / double(page.sizeMm.x);
+  const PixelKind kind = lowerExtension(target) == ".png" ? PixelKind::png : PixelKind::tiff;
+  return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
+    const Result<std::unique_ptr<RowFile>> file = rowFile(kind, *layout, beside);
+    if (!file.ok())
+      return file.error();
+    for (int top = 0; top < layout->height; top += most) {
+      BandPage band(perMm, top, {layout->width, std::min(most, layout->height - top)});
+      const auto goOn = [&](double share) {
+        const double rows = double(top) + share * double(most);
+        return !progress || progress(std::min(1.0, rows / double(layout->height)), "writing");
+      };
+      if (!setPage(page, band, {}, goOn))
+        return givenUp(target);
+      if (Status added = (*file)->add(packedRows(band.finish(), *layout)); !added.ok())
+        return added;
+    }
+    return (*file)->finish();
+  });
+}
+
+Status writePdfPage(const DrawnPage& page, const std::filesystem::path& target,
+                    const std::function<bool(double)>& goOn) {
   PdfPages pages(page.sizeMm, page.language);
-  setPage(page, pages, setText);
+  if (!setPage(page, pages, setText, goOn))
+    return givenUp(target);
   const Result<QByteArray> document = pages.finish(page.credit);
   if (!document.ok())
     return document.error();
+  if (!goOn(1.0))
+    return givenUp(target);
   return model::writeText(target,
                           std::string_view(document->constData(), std::size_t(document->size())));
 }
 
-Status writePngPage(const DrawnPage& page, const std::filesystem::path& target, float dpi) {
-  const int width = int(std::lround(page.sizeMm.x / millimetresPerInch * dpi));
-  if (width > pixelSideLimits.high ||
-      page.sizeMm.y / page.sizeMm.x * float(width) > float(pixelSideLimits.high))
-    return Error{.reason = "the sheet would have more than 20000 pixels on a side",
-                 .remedy = "Take fewer pixels to the inch, or a smaller sheet"};
-  const QImage picture = pagePicture(page, std::max(width, pixelSideLimits.low))
-                             .convertToFormat(QImage::Format_RGB888);
-  const PixelLayout layout{
-      .width = picture.width(), .height = picture.height(), .dpi = dpi, .credit = page.credit};
-  std::string bytes;
-  const std::unique_ptr<RowFile> png = pngRows(layout, [&bytes](std::string_view more) -> Status {
-    bytes += more;
-    return Unit{};
-  });
-  for (int y = 0; y < picture.height(); ++y)
-    if (Status added =
-            png->add(std::as_bytes(std::span(picture.constScanLine(y), layout.rowBytes())));
-        !added.ok())
-      return added;
-  if (Status finished = png->finish(); !finished.ok())
-    return finished;
-  return model::writeText(target, bytes);
+Status writeSvgPage(const DrawnPage& page, const std::filesystem::path& target,
+                    const std::function<bool(double)>& goOn) {
+  if (!goOn(0.0))
+    return givenUp(target);
+  const std::string text = svgSheet(page.sizeMm, page.drawings, page.writings, page.credit);
+  return goOn(1.0) ? model::writeText(target, text) : Status(givenUp(target));
 }
 
 }  // namespace
 
 Status checkPageName(const std::filesystem::path& target, const std::string& what) {
   const std::string ending = lowerExtension(target);
-  if (ending == ".png" || ending == ".pdf" || ending == ".svg")
-    return Unit{};
+  for (const std::string_view known : pageEndings)
+    if (ending == "." + std::string(known) || ending == ".tif")
+      return Unit{};
   return Error{.file = target.string(),
-               .reason = what + " is a png, pdf or svg file",
+               .reason = what + " is a pdf, svg, png or tiff file",
                .remedy = "Give the file one of these endings"};
 }
 
 QImage pagePicture(const DrawnPage& page, int width) {
   PicturePages pages(page.sizeMm, width);
   pages.painter().setRenderHint(QPainter::Antialiasing);
-  setPage(page, pages, {});
+  setPage(page, pages, {}, always);
   return pages.finish().front();
 }
 
-Status writePage(const DrawnPage& page, const std::filesystem::path& target, float dpi) {
+Status writePage(const DrawnPage& page, const std::filesystem::path& target,
+                 const PagePixels& pixels, const ExportProgress& progress) {
   if (Status named = checkPageName(target, "a page"); !named.ok())
     return named;
+  const auto goOn = [&progress](double share) { return !progress || progress(share, "writing"); };
   const std::string ending = lowerExtension(target);
   if (ending == ".svg")
-    return model::writeText(target,
-                            svgSheet(page.sizeMm, page.drawings, page.writings, page.credit));
-  return ending == ".pdf" ? writePdfPage(page, target) : writePngPage(page, target, dpi);
+    return writeSvgPage(page, target, goOn);
+  return ending == ".pdf" ? writePdfPage(page, target, goOn)
+                          : writePixelPage(page, target, pixels, progress);
 }
 
 }  // namespace sline::render

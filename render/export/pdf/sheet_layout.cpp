@@ -300,6 +300,13 @@ SheetLayout layoutWithoutCaption(const ExportOrder& order) {
 
 }  // namespace
 
+bool hasCaption(const ExportOrder& order) {
+  const std::string language = model::firstLanguage(order.labels.language);
+  const std::string markup =
+      captionMarkup(order.words.title.in(language), order.words.text.in(language));
+  return order.marks.words && !QString::fromStdString(markup).trimmed().isEmpty();
+}
+
 std::optional<Caption> sheetCaption(const ExportOrder& order, const LabelBox& box) {
   if (!order.marks.words)
     return std::nullopt;

@@ -68,8 +68,10 @@ struct SheetLayout {
 /// left to the figure.
 SheetLayout sheetLayout(const ExportOrder& order);
 
+/// Tells whether the view says something that is wanted on the order's sheet.
+bool hasCaption(const ExportOrder& order);
 /// Returns what the view says as it stands on the order's sheet, in that box; nothing where it says
-/// nothing or is not wanted.
+/// nothing or is not wanted, or has no room.
 std::optional<Caption> sheetCaption(const ExportOrder& order, const LabelBox& box);
 
 /// How many labels a sheet shows and its test asks for.

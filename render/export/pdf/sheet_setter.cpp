@@ -278,6 +278,8 @@ void SheetSetter::setInstruction() {
   while (points > 7.0f && textWidthMm(text, points) > box.size().x)
     points -= 0.5f;
   const QString fitted = elidedText(text, points, box.size().x);
+  if (fitted != text)
+    addShortened(text);
   setLine(painter(), fitted, {box.low.x, box.low.y + capHeightMm(points)}, points);
 }
 
@@ -303,8 +305,12 @@ void SheetSetter::setFigure(const FigurePlate& plate, const AltText& said) {
 /// Sets what the view says below the figure; a test has none, as it might tell the answers.
 void SheetSetter::setCaption() {
   const std::optional<Caption> caption = sheetCaption(m_given, m_layout.caption);
-  if (!caption)
+  if (!caption) {
+    if (hasCaption(m_given))
+      addNote(m_notes,
+              {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"caption"}, .detail = {}});
     return;
+  }
   setText(m_pages->painter(), *caption->item.text);
   if (caption->shortened)
     addShortened(plainText(caption->item.text->lines.front()));

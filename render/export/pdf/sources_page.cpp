@@ -38,13 +38,13 @@ void setSourcesPage(SheetPages& pages, const ExportOrder& order) {
                                   .leading = 0.0f,
                                   .points = headingPoints,
                                   .anchor = TextAnchor::start,
-                                  .ink = letteringColours(false).ink});
+                                  .ink = letteringColours().ink});
         y = margin + 2.0f * headingPoints * millimetresPerPoint;
       }
       const QTextLine one = paragraph->lineAt(i);
       QPainter& painter = pages.painter();
       painter.save();
-      painter.setPen(painterColour(letteringColours(false).ink));
+      painter.setPen(painterColour(letteringColours().ink));
       painter.translate(qreal(margin), qreal(y));
       painter.scale(scale, scale);
       one.draw(&painter, QPointF(0.0, -one.y()));

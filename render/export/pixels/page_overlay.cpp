@@ -21,7 +21,7 @@ PageOverlay::~PageOverlay() = default;
 Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& order,
                                                          glm::ivec2 pixels) {
   std::unique_ptr<PageOverlay> overlay(new PageOverlay);
-  if (order.labels.mode == LabelMode::off && order.marks == ExportMarks::none())
+  if (order.bare())
     return overlay;
   Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
   if (!made.ok())

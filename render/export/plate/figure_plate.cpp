@@ -8,6 +8,7 @@
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/labels/seen_map.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
@@ -56,12 +57,13 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
     addNote(notes, std::move(note));
 }
 
-/// Returns the marks, which keep off what the picture shows of that scene.
-Marks marksBeside(const ExportOrder& order, const model::Scene& written, model::MeshTrees& trees) {
+/// Returns the marks, which keep off what the picture shows.
+Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
   Marks usual = marksOf(order);
   if (usual.lettering.items.empty())
     return usual;
-  const SeenMap map(written, Screen(order.camera, order.page.sizeMm), &trees);
+  const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
+  const SeenMap map(scene, Screen(order.camera, order.page.sizeMm), &trees);
   const SeenArea drawn = map.drawnArea();
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
                                   [&](const LabelBox& box) { return drawn.anyIn(box); });
@@ -71,16 +73,15 @@ Marks marksBeside(const ExportOrder& order, const model::Scene& written, model::
 }  // namespace
 
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
-  const model::Scene written = writtenScene(order);
-  FigurePlate plate{.labels = {}, .marks = marksBeside(order, written, trees), .notes = {}};
+  FigurePlate plate{.labels = {}, .marks = marksBeside(order, trees), .notes = {}};
   plate.notes = plate.marks.notes;
   if (order.labels.mode == LabelMode::off)
     return plate;
   LabelStyle style = order.labels;
-  style.onDark = order.environment.background == Background::dark;
+  style.ground = order.environment.background;
   style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
   const Screen screen(order.camera, order.page.sizeMm);
-  plate.labels = labelPlate(written, screen, style, trees, turn);
+  plate.labels = labelPlate(order.scene, screen, style, trees, turn);
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);

@@ -27,8 +27,10 @@ bool sameScalar(const model::GammaMap& a, const model::GammaMap& b) {
   return a.scalar == b.scalar && a.targets == b.targets && a.place == b.place;
 }
 
-/// Returns what is said of the scalar; nothing where it is a distance from what is not there.
-QString titleOf(const ExportOrder& order, const model::GammaMap& map, const MarkWords& words) {
+/// Returns what is said of the scalar; nothing where it is a distance from what is not there. Of
+/// more structures than that, only the first is named.
+QString titleOf(const ExportOrder& order, const model::GammaMap& map, const MarkWords& words,
+                qsizetype few) {
   const model::DrawnUnit unit = drawnUnit(order.scene);
   if (map.scalar != model::GammaScalar::distance)
     return words.gammaScalar(map.scalar, unit);
@@ -39,7 +41,6 @@ QString titleOf(const ExportOrder& order, const model::GammaMap& map, const Mark
           << QString::fromStdString(structureName(node->name, order.labels.language)).simplified();
   if (names.isEmpty() && !map.place)
     return {};
-  constexpr int few = 2;
   const QString from = names.isEmpty()       ? words.somePlace()
                        : names.size() <= few ? names.join(QStringLiteral(", "))
                                              : names.front() + QStringLiteral(", …");
@@ -171,6 +172,7 @@ QString numberText(const GammaKey& key, float value, const QLocale& locale) {
 }  // namespace
 
 std::vector<GammaKey> gammaKeys(const ExportOrder& order, const MarkWords& words) {
+  constexpr qsizetype few = 2;
   std::vector<GammaKey> keys;
   for (const model::VisibleStructure& structure : model::visibleStructures(order.scene)) {
     const model::GammaMap& map = structure.style.gammaMap;
@@ -182,8 +184,11 @@ std::vector<GammaKey> gammaKeys(const ExportOrder& order, const MarkWords& words
     });
     if (known != keys.end())
       known->alone = false;
-    else if (const QString title = titleOf(order, map, words); !title.isEmpty())
-      keys.push_back({.style = structure.style, .title = title, .range = rangeOf(map)});
+    else if (const QString title = titleOf(order, map, words, few); !title.isEmpty())
+      keys.push_back({.style = structure.style,
+                      .title = title,
+                      .fullTitle = titleOf(order, map, words, map.targets.size()),
+                      .range = rangeOf(map)});
   }
   return keys;
 }

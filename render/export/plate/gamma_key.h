@@ -14,7 +14,8 @@ namespace sline::render {
 /// Holds what a map of Γ is told by.
 struct GammaKey {
   model::ResolvedStyle style;  ///< of the first structure that has the map
-  QString title;               ///< "Distance from liver (mm)"
+  QString title;               ///< "Distance from liver (mm)"; names few of several
+  QString fullTitle;           ///< names all
   Limits<float> range;         ///< of the scalar, as far as the drawing changes
   bool alone = true;           ///< no other structure has it, so that its colour is the structure's
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/export/plate/marks.h"
+#include "render/lettering/folded_text.h"
 #include "render/lettering/label_texts.h"
 
 namespace sline::render {
@@ -24,19 +25,39 @@ QString elidedTo(const QString& line, float points, float width) {
   return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
 }
 
-std::vector<QString> foldedTo(const QString& text, float points, float width, std::size_t most) {
-  std::vector<QString> lines{{}};
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    QString& last = lines.back();
-    const QString longer = last.isEmpty() ? word : last + QLatin1Char(' ') + word;
-    if (last.isEmpty() || lines.size() == most || textWidthMm(longer, points) <= width)
-      last = longer;
-    else
-      lines.push_back(word);
+FootText footText(const QString& text, float labelPoints, const glm::vec2& size) {
+  constexpr float leading = 1.3f;      // ems
+  constexpr float usualShare = 0.25f;  // of the height
+  constexpr float mostShare = 0.5f;
+  FootText foot;
+  for (const float share : {0.65f, 0.55f, 0.45f}) {
+    foot.points = share * labelPoints;
+    foot.lineHeight = leading * foot.points * millimetresPerPoint;
+    foot.lines = foldedText(text, foot.points, size.x);
+    if (float(foot.lines.size()) * foot.lineHeight <= usualShare * size.y)
+      break;
   }
-  for (QString& line : lines)
-    line = elidedTo(line, points, width);
-  return lines;
+  const auto most = std::max<std::size_t>(1, std::size_t(mostShare * size.y / foot.lineHeight));
+  foot.shortened = foot.lines.size() > most;
+  if (foot.shortened) {
+    foot.lines.resize(most);
+    foot.lines.back() =
+        elidedTo(foot.lines.back() + QStringLiteral(" \u2026"), foot.points, size.x);
+  }
+  return foot;
+}
+
+LetteringShape scaleBarShape(const glm::vec2& from, float length, const Colour& ink) {
+  constexpr float tick = 1.3f;
+  constexpr float halo = 0.35f;
+  const glm::vec2 to = from + glm::vec2(length, 0.0f);
+  const glm::vec2 up(0.0f, -tick);
+  return {.path = polyline({from + up, from, to, to + up}),
+          .pen = scaleBarPen,
+          .ink = ink,
+          .fill = {},
+          .dashed = false,
+          .halo = halo};
 }
 
 SeenArea areaAbove(SeenArea area, float height) {

@@ -29,9 +29,6 @@ namespace {
 // Millimetres of the output.
 constexpr float margin = markMargin;
 constexpr float gap = 1.5f;  // between marks, and to labels
-constexpr float barTick = 1.3f;
-constexpr float barWidth = 0.25f;
-constexpr float barHalo = 0.35f;
 constexpr float widestBar = 40.0f;
 
 // Shares of the labels' size.
@@ -55,12 +52,13 @@ class MarkLayout {
         m_drawn(drawn),
         m_cut(cut),
         m_size(order.page.sizeMm),
-        m_colours(letteringColours(order.environment.background == Background::dark)),
+        m_colours(letteringColours(order.environment.background)),
         m_sides(knownSides(order.scene)),
         m_words(order.labels.language, m_sides),
         m_unit(drawnUnit(order.scene)),
         m_places(m_size, order.labels.reserved, drawn) {
     m_marks.lettering.ground = m_colours.ground;
+    m_marks.lettering.clear = m_colours.clear;
   }
 
   Marks make() {
@@ -158,6 +156,13 @@ class MarkLayout {
       edges.bottom = margin + letterCap() + gap;
   }
 
+  /// Notes that of the text only a part is written.
+  void noteShortened(const QString& whole) {
+    addNote(
+        m_marks.notes,
+        {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
+  }
+
   /// Returns where a line between those heights begins, beside what is reserved at the left.
   float leftEnd(float top, float bottom) const {
     float left = margin;
@@ -182,9 +187,7 @@ class MarkLayout {
       const float left = leftEnd(baseline - cap, baseline);
       const QString fitted = elidedTo(line, points(size), m_size.x - margin - left);
       if (fitted != line)
-        addNote(
-            m_marks.notes,
-            {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
+        noteShortened(line);
       const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
       if (add({.name = name, .shapes = {}, .text = one}, boxOf(one), sideways)) {
         above = baseline;
@@ -234,14 +237,15 @@ class MarkLayout {
     float baseline = 0.0f;
   };
   /// Returns the bar no longer than that, true at the place; nothing where there is no scale.
-  std::optional<ScaleBar> scaleBarWithin(float most, const glm::vec3& place) const {
-    const auto length = scaleLength(m_order.camera, place, double(m_size.y), double(most));
+  std::optional<ScaleBar> scaleBarWithin(float most, const ScalePlace& place) const {
+    const auto length = scaleLength(m_order.camera, place.at, double(m_size.y), double(most));
     if (!length)
       return std::nullopt;
     const QString plain = lengthText(length->millimetres, m_words.locale(), m_unit);
-    const QString line = m_order.camera.projection == model::Projection::perspective
-                             ? m_words.atMidDepth(plain)
-                             : plain;
+    const bool perspective = m_order.camera.projection == model::Projection::perspective;
+    const QString line = !perspective      ? plain
+                         : place.onCutFace ? m_words.atCutFace(plain)
+                                           : m_words.atMidDepth(plain);
     const float bar = float(length->drawn);
     float baseline = m_size.y - margin;
     const float end = margin + bar + gap + textWidthMm(line, points(smallSize));
@@ -250,25 +254,17 @@ class MarkLayout {
     const LetteringText words =
         text(line, {margin + bar + gap, baseline}, smallSize, TextAnchor::start);
     LetteringItem item{.name = "scale", .shapes = {}, .text = words};
-    item.shapes.push_back({.path = polyline({{margin, baseline - barTick},
-                                             {margin, baseline},
-                                             {margin + bar, baseline},
-                                             {margin + bar, baseline - barTick}}),
-                           .pen = barWidth,
-                           .ink = m_colours.ink,
-                           .fill = {},
-                           .dashed = false,
-                           .halo = barHalo});
+    item.shapes.push_back(scaleBarShape({margin, baseline}, bar, m_colours.ink));
     LabelBox box = boxOf(words);
-    box.low.x = margin - 0.5f * barWidth;
+    box.low.x = margin - 0.5f * scaleBarPen;
     return ScaleBar{std::move(item), box, baseline};
   }
 
-  /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
-  /// picture has another scale. Where anatomy leaves too little room in the usual place a shorter
+  /// Adds the scale bar for where the scene has it (ScalePlaces); elsewhere a perspective picture
+  /// has another scale. Where anatomy leaves too little room in the usual place a shorter
   /// one stands there; where that has none either, the bar goes elsewhere.
   void addScaleBar() {
-    const std::optional<glm::vec3> place = scalePlace(m_order.scene);
+    const std::optional<ScalePlace> place = scalePlaces(m_order.scene).in(m_order.camera);
     if (!place)
       return;
     std::optional<ScaleBar> chosen;
@@ -320,37 +316,29 @@ void MarkLayout::cutOff() {
                           .detail = std::to_string(std::lround(page.y - *m_cut))});
 }
 
-/// Adds whose work the surfaces are at the very foot, and leaves that out of the page that other
-/// marks have.
+/// Adds whose work the surfaces are at the very foot, whole, and leaves that out of the page that
+/// other marks have; where it would take more than half of the page, the rest is noted.
 void MarkLayout::addSources() {
-  constexpr float sourcesSize = 0.65f;
-  constexpr float leading = 1.3f;  // ems
-  constexpr std::size_t mostLines = 4;
   const QString whole = QString::fromStdString(sourcesInOne(m_order.scene)).simplified();
   if (whole.isEmpty())
     return;
-  const std::vector<QString> lines =
-      foldedTo(whole, points(sourcesSize), m_size.x - 2.0f * margin, mostLines);
-  if (QStringList(lines.begin(), lines.end()).join(QLatin1Char(' ')) != whole)
-    addNote(
-        m_marks.notes,
-        {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
-  const float lineHeight = leading * points(sourcesSize) * millimetresPerPoint;
-  const float below = float(lines.size() - 1) * lineHeight;
-  LetteringText one =
-      text(lines.front(), {margin, m_size.y - margin - below}, sourcesSize, TextAnchor::start);
-  one.lines.assign(lines.begin(), lines.end());
-  one.leading = lineHeight;
+  const FootText foot = footText(whole, points(1.0f), {m_size.x - 2.0f * margin, m_size.y});
+  if (foot.shortened)
+    noteShortened(whole);
+  LetteringText one = text({}, {margin, m_size.y - margin - foot.below()}, 1.0f, TextAnchor::start);
+  one.points = foot.points;
+  one.lines.assign(foot.lines.begin(), foot.lines.end());
+  one.leading = foot.lineHeight;
   LabelBox box = boxOf(one);
   for (const TextLine& line : one.lines)
     box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
-  box.high.y += below;
+  box.high.y += foot.below();
   // Whose work it is stands at the foot whatever lies there: a licence asks for it.
   if (m_drawn && m_drawn->anyIn(box.grown(0.5f * gap)))
     cutFrom(box.low.y - 0.5f * gap);
   m_marks.lettering.items.push_back({.name = "sources", .shapes = {}, .text = one});
   take(box);
-  m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
+  m_marks.foot = capHeightMm(foot.points) + foot.below() + gap;
   m_size.y -= m_marks.foot;
   m_places.setPage(m_size);
 }
@@ -363,6 +351,8 @@ void MarkLayout::addGammaKeys() {
   float top = margin;
   for (GammaKey key : gammaKeys(m_order, m_words)) {
     key.title = elidedTo(key.title, points(smallSize), 1.5f * widest * m_size.x);
+    if (key.title != key.fullTitle)
+      noteShortened(key.fullTitle);
     const glm::vec2 size = gammaKeySize(key, style);
     glm::vec2 corner{m_size.x - margin - size.x, top};
     const std::optional<glm::vec2> by = m_places.shift(
@@ -371,7 +361,7 @@ void MarkLayout::addGammaKeys() {
       corner += *by;
     std::vector<LetteringItem> items = drawnGammaKey(key, corner, style, m_words);
     if (!add(std::move(items.front()), {corner, corner + size}, {}))
-      return;
+      continue;
     std::move(items.begin() + 1, items.end(), std::back_inserter(m_marks.lettering.items));
     top += size.y + gap;
   }
@@ -401,11 +391,14 @@ void MarkLayout::addLegend() {
   constexpr float widestLegend = 0.46f;
   const LegendMeasure measure(points(smallSize));
   std::vector<QString> names;
+  std::vector<QString> shortened;
   float width = 0.0f;
   for (const model::Node* node : structures) {
     const QString whole =
         QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
     names.push_back(elidedTo(whole, points(smallSize), widestName * m_size.x));
+    if (names.back() != whole)
+      shortened.push_back(whole);
     width = std::max(width, measure.indent + textWidthMm(names.back(), points(smallSize)));
   }
   const float height = 0.5f * (m_size.y - letterCap()) - margin - 2.0f * gap;
@@ -440,6 +433,8 @@ void MarkLayout::addLegend() {
             glm::vec2(float(column) * (width + measure.between), float(i % down + 1) * measure.row),
         points(smallSize), m_colours));
   }
+  for (const QString& name : shortened)
+    noteShortened(name);
   take({*corner, *corner + size});
   m_marks.legend = m_marks.boxes.back();
 }
@@ -448,24 +443,25 @@ void MarkLayout::addLegend() {
 void MarkLayout::addCaption() {
   const std::string& text = m_order.words.text.in(model::firstLanguage(m_order.labels.language));
   const std::string markup = captionMarkup(ownTitle(), text);
-  if (markup.empty())
+  if (QString::fromStdString(markup).trimmed().isEmpty())
     return;
   constexpr float tallest = 0.4f;  // of the page's height
   const float right = m_marks.legend ? m_marks.legend->low.x : m_size.x - margin;
   LabelStyle style = m_order.labels;
-  style.onDark = m_order.environment.background == Background::dark;
+  style.ground = m_order.environment.background;
   const std::optional<Caption> caption =
       captionOf(markup, style,
                 {.middle = 0.5f * (margin + right),
                  .foot = m_size.y - std::max(m_marks.edges.bottom, margin),
                  .width = std::min(captionShare * m_size.x, right - margin),
                  .height = tallest * m_size.y});
-  if (!caption)
+  if (!caption) {
+    addNote(m_marks.notes,
+            {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"caption"}, .detail = {}});
     return;
+  }
   if (caption->shortened)
-    addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
-                            .names = {plainText(caption->item.text->lines.front()).toStdString()},
-                            .detail = {}});
+    noteShortened(plainText(caption->item.text->lines.front()));
   // What the view says is never lost: where anatomy leaves it no room the picture ends above it.
   const std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
   const glm::vec2 by = free.value_or(glm::vec2(0.0f));

@@ -10,16 +10,19 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/column_widths.h"
 #include "render/lettering/fitted_sides.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
 namespace {
 
-LabelReport reportOf(const LabelPlate& plate) {
-  LabelReport report;
-  for (const ShownLabel& label : plate.labels) {
-    const std::string text = keyText(label, plate.style);
-    if (plate.layout.find(label.item.id))
+LabelReport reportOf(const FigurePlate& plate) {
+  LabelReport report{.key = {}, .leftOut = {}, .marks = plate.marks.notes};
+  if (!plate.labels)
+    return report;
+  for (const ShownLabel& label : plate.labels->labels) {
+    const std::string text = keyText(label, plate.labels->style);
+    if (plate.labels->layout.find(label.item.id))
       report.key.push_back({label.number, text});
     else
       report.leftOut.push_back(text);
@@ -65,17 +68,17 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[std::size_t(4) * std::size_t(y) * std::size_t(image.width)],
                 drawn.constScanLine(y), std::size_t(4) * std::size_t(image.width));
-  return plate.labels ? reportOf(*plate.labels) : LabelReport{};
+  return reportOf(plate);
 }
 
 LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
   const FigurePlate plate = figurePlate(order);
-  return plate.labels ? reportOf(*plate.labels) : LabelReport{};
+  return reportOf(plate);
 }
 
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
-  return sidesBesideLabels(writtenScene(order), order.camera, order.page.sizeMm, order.labels,
-                           roomOfMarks(order));
+  return sidesBesideLabels(withLooksInColour(order.scene, order.labels.inColour), order.camera,
+                           order.page.sizeMm, order.labels, roomOfMarks(order));
 }
 
 glm::vec2 shareBesidePlate(const ExportOrder& given, const Typesetting&) {
@@ -89,7 +92,8 @@ glm::vec2 shareBesidePlate(const ExportOrder& given, const Typesetting&) {
   glm::vec2 share = shareBesideMarks(marks, page);
   if (order.labels.mode != LabelMode::off) {
     const ColumnWidths widths =
-        widthsBesideFitted(order.scene, Screen(order.camera, page), order.labels);
+        widthsBesideFitted(withLooksInColour(order.scene, order.labels.inColour),
+                           Screen(order.camera, page), order.labels);
     const float widest = std::max(widths.left, widths.right);
     if (widest > 0.0f)
       share.x =

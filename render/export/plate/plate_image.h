@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/scene/free_sides.h"
+#include "render/export/order/export_notes.h"
 #include "render/export/order/export_order.h"
 #include "render/lettering/typesetting.h"
 #include "render/raster/image.h"
@@ -19,6 +20,7 @@ struct LabelReport {
   };
   std::vector<Line> key;             ///< covers all labels in the picture, by number
   std::vector<std::string> leftOut;  ///< texts for which there was no room
+  ExportNotes marks;                 ///< what marks and the legend lack
 };
 
 /// Draws labels and marks over the picture that was drawn of the order's scene; the picture's

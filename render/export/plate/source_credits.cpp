@@ -27,19 +27,10 @@ std::vector<SourceLine> sourceLines(const model::Scene& scene) {
   return lines;
 }
 
-std::string sourcesInOne(const model::Scene& scene, std::size_t longest) {
+std::string sourcesInOne(const model::Scene& scene) {
   std::string all;
-  for (const SourceLine& line : sourceLines(scene)) {
-    if (all.size() + line.text.size() + 2 > longest) {
-      if (!all.empty())
-        return all + "; \u2026";
-      QString begun = QString::fromStdString(line.text).left(qsizetype(longest));
-      while (begun.toUtf8().size() > qsizetype(longest))
-        begun.chop(1);
-      return begun.toStdString() + "\u2026";
-    }
+  for (const SourceLine& line : sourceLines(scene))
     all += (all.empty() ? "" : "; ") + line.text;
-  }
   return all;
 }
 

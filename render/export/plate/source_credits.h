@@ -19,7 +19,7 @@ struct SourceLine {
 /// Returns what visible structures say of whose work they are, each line once, that of most
 /// structures first.
 std::vector<SourceLine> sourceLines(const model::Scene& scene);
-/// Returns them in one line, parted by semicolons, and no longer than that many bytes.
-std::string sourcesInOne(const model::Scene& scene, std::size_t longest = 1000);
+/// Returns all of them in one line, parted by semicolons.
+std::string sourcesInOne(const model::Scene& scene);
 
 }  // namespace sline::render

@@ -46,7 +46,7 @@ class Making {
     m_deck.shape = order.of<SlideOptions>().shape;
     m_deck.dark = order.environment.background == Background::dark;
     m_deck.ground = groundOf(order.environment.background);
-    const LetteringColours colours = letteringColours(m_deck.dark);
+    const LetteringColours colours = letteringColours(order.environment.background);
     m_deck.ink = colours.ink;
     m_deck.halo = colours.ground;
     m_deck.credit = fileCredit(order, {});
@@ -79,7 +79,7 @@ class Making {
 
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
     order = slideFigure(std::move(order), view);
-    order.labels.onDark = m_deck.dark;
+    order.labels.ground = order.environment.background;
     if (order.sources == SourceCredits::page)  // they have a slide
       order.sources = SourceCredits::off;
     Slide slide;

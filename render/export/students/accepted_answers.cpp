@@ -11,6 +11,7 @@
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
 #include "render/export/students/answer_hash.h"
+#include "render/export/students/short_answers.h"
 
 namespace sline::render {
 
@@ -173,6 +174,11 @@ std::vector<std::string> ownAnswers(const WordsByLanguage& words,
   for (const std::string& name : own.brief)
     if (!foreign.has(name))
       names.add(name);
+  const std::vector<std::string> spelled = names.all();
+  for (const std::string& name : spelled)
+    for (const std::string& brief : shortForms(name))
+      if (!foreign.has(brief))
+        names.add(brief);
   return names.take();
 }
 

@@ -24,7 +24,8 @@ struct AcceptedAnswers {
 AcceptedAnswers acceptedAnswers(const WordsByLanguage& words);
 
 /// Returns the answers that are right for what is called so beside `others`: without those that
-/// leave the kind out and are right for another of them, too.
+/// leave the kind out and are right for another of them, too. Sides and other adjectives may be
+/// abbreviated (short_answers.h).
 std::vector<std::string> ownAnswers(const WordsByLanguage& words,
                                     const std::vector<AcceptedAnswers>& others);
 

@@ -200,12 +200,12 @@ std::string PageWords::title() const {
   if (!m_title.empty())
     return m_title;
   if (m_silent)
-    return "Anatomy";
+    return structureName("Anatomy", language());
   const std::vector<model::NodeId> top = m_scene.children(model::rootId);
   if (top.size() == 1 && m_scene.find(top.front())->isGroup())
     return structureName(m_scene.find(top.front())->name, language());
   const std::string shown = model::shownName(m_fileTitle);
-  return shown.empty() ? "Anatomy" : shown;
+  return shown.empty() ? structureName("Anatomy", language()) : shown;
 }
 
 }  // namespace sline::render

@@ -42,7 +42,12 @@ class Document {
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
                 "\" fill=\"" + colourText(*m_drawing.background) + "\"/>\n";
+    const bool gaps = appendGaps(m_text, m_writings, "gaps", m_drawing.sizeMm, m_decimals);
+    if (gaps)
+      m_text += "<g mask=\"url(#gaps)\">\n";
     appendSvgDrawing(m_text, m_drawing, m_scene, {.prefix = {}, .decimals = m_decimals});
+    if (gaps)
+      m_text += "</g>\n";
     for (const SvgWriting& writing : m_writings)
       appendLettering(m_text, writing, m_decimals);
     m_text += "</svg>\n";

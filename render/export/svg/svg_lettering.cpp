@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/svg/svg_lettering.h"
 
+#include <algorithm>
+
 #include "model/base/colour_text.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_path.h"
@@ -51,21 +53,22 @@ class Layer {
               std::string(families) + "\"";
     appendMove(m_text, writing.at);
     m_text += ">\n";
-    if (writing.halos)
-      addHalos(writing.lettering);
+    if (writing.halos && !writing.lettering.clear)
+      addHalos("inkscape:label=\"Halos\" ", writing.lettering, writing.lettering.ground);
     for (const LetteringItem& item : writing.lettering.items)
       addItem(item);
     m_text += "</g>\n";
   }
 
- private:
-  void addHalos(const Lettering& lettering) {
-    m_text += "<g inkscape:label=\"Halos\" fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
-              colourText(lettering.ground) + "\">\n";
+  void addHalos(const std::string& attributes, const Lettering& lettering, const Colour& colour) {
+    m_text += "<g " + attributes + "fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
+              colourText(colour) + "\">\n";
     for (const LetteringItem& item : lettering.items)
-      addHalo(item, lettering.ground);
+      addHalo(item, colour);
     m_text += "</g>\n";
   }
+
+ private:
   void addHalo(const LetteringItem& item, const Colour& ground) {
     for (const LetteringShape& shape : item.shapes)
       if (shape.halo > 0.0f)
@@ -148,6 +151,24 @@ void appendMove(std::string& text, const glm::vec2& by) {
   if (by != glm::vec2(0.0f))
     text += " transform=\"translate(" + number(double(by.x), decimals) + " " +
             number(double(by.y), decimals) + ")\"";
+}
+
+bool appendGaps(std::string& text, std::span<const SvgWriting> writings, const std::string& id,
+                const glm::vec2& sizeMm, int decimals) {
+  const auto leavesGaps = [](const SvgWriting& writing) {
+    return writing.halos && writing.lettering.clear && !writing.lettering.items.empty();
+  };
+  if (std::none_of(writings.begin(), writings.end(), leavesGaps))
+    return false;
+  const std::string whole = "x=\"0\" y=\"0\" width=\"" + number(double(sizeMm.x), decimals) +
+                            "\" height=\"" + number(double(sizeMm.y), decimals) + "\"";
+  text += "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" " + whole + ">\n<rect " + whole +
+          " fill=\"#ffffff\"/>\n";
+  for (const SvgWriting& writing : writings)
+    if (leavesGaps(writing))
+      Layer(text, decimals).addHalos("stroke-linejoin=\"round\" ", writing.lettering, {0, 0, 0});
+  text += "</mask>\n";
+  return true;
 }
 
 void appendLettering(std::string& text, const SvgWriting& writing, int decimals) {

@@ -29,6 +29,14 @@ void CutPatternsTest::patterns_data() {
   QTest::addColumn<QString>("pattern");
   const std::pair<const char*, const char*> rows[] = {
       {"femur", "spongy"},
+      // Margins that a plan draws, a cavity, stones and implants are no tissue.
+      {"PTV", "plain"},
+      {"GTV", "crossed"},
+      {"Tumor Bed", "plain"},
+      {"Kidney stone", "plain"},
+      {"Heart prosthesis", "plain"},
+      {"Bone marrow nail", "plain"},
+      {"Liver-GTV", "stipple"},
       {"L3 vertebra", "spongy"},
       {"gluteus_maximus_left", "fibres"},
       {"inguinal ligament", "fibres"},

@@ -334,14 +334,13 @@ void EditTest::inkAlone_data() {
   QTest::newRow("lines stay") << 1.5f << none << 1.0f << 1.5f << none;
   QTest::newRow("hatching stays") << 3.0f << none << 1.0f << 3.0f << none;
   QTest::newRow("paper stays") << 1.0f << paper << 1.0f << 1.0f << paper;
-  QTest::newRow("a wash hides") << 1.0f << tint << 1.0f << 1.0f << paper;
+  QTest::newRow("a wash hides nothing") << 1.0f << tint << 1.0f << 1.0f << none;
+  QTest::newRow("a veil stays a veil") << 1.0f << int(Fill::veil) << 1.0f << 1.0f << none;
+  QTest::newRow("paper that is half there") << 1.0f << paper << 0.5f << 1.0f << paper;
   QTest::newRow("shading hides") << 5.0f << none << 1.0f << 3.0f << paper;
-  QTest::newRow("some shading hides") << 3.2f << tint << 0.6f << 3.0f << paper;
-  const int veil = int(Fill::veil);
-  QTest::newRow("a veil stays open") << 1.0f << veil << 1.0f << 1.0f << none;
-  QTest::newRow("a hatched veil stays open") << 3.4f << veil << 0.9f << 3.0f << none;
-  QTest::newRow("shading hides below a veil") << 5.0f << veil << 1.0f << 3.0f << paper;
-  QTest::newRow("a faint wash hides nothing") << 5.0f << tint << 0.3f << 3.0f << none;
+  QTest::newRow("half of the shading hides") << 3.5f << tint << 0.6f << 3.0f << paper;
+  QTest::newRow("some shading hides nothing") << 3.2f << tint << 0.6f << 3.0f << none;
+  QTest::newRow("what is transparent hides nothing") << 5.0f << tint << 0.3f << 3.0f << none;
 }
 
 void EditTest::inkAlone() {

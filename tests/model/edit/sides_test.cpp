@@ -82,6 +82,21 @@ class SidesTest : public QObject {
     QVERIFY(!withSidesSettled(edited.scene, SideAnswer::right).changed);
   }
 
+  /// Where names have told the sides, a mirror image has its front at the back.
+  void onlyTheFrontIsMirrored() {
+    const Scene scene = furnished({Evidence::voted, Evidence::assumed});
+    QVERIFY(isOnlyFrontDoubted(scene));
+    QVERIFY(!isOnlyFrontDoubted(furnished(guess)));
+    QVERIFY(!isOnlyFrontDoubted(furnished({})));
+    const Edited edited = withSidesSettled(scene, SideAnswer::mirror);
+    QVERIFY(edited.changed);
+    const Node& node = only(edited.scene);
+    QVERIFY(glm::length(node.mesh->bounds().centre() - glm::vec3(-50, -30, 20)) < 1e-3f);
+    QVERIFY(facesOutward(*node.mesh));
+    QCOMPARE(node.provenance.frame, std::string("LAS"));
+    QVERIFY(!hasDoubtedSides(edited.scene));
+  }
+
   void everythingMoves_data() {
     QTest::addColumn<int>("answer");
     QTest::addColumn<float>("y");  // the sign of y afterwards

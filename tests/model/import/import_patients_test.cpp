@@ -217,7 +217,7 @@ void ImportPatientsTest::apart() {
       continue;
     }
     const QString error = QString::fromStdString(imported.error().text());
-    QVERIFY2(error.contains("--together"), qPrintable(error));
+    QVERIFY2(error.contains("together on purpose"), qPrintable(error));
     for (const Path& input : inputs)
       QVERIFY2(error.contains(QString::fromStdString(input.filename().string())),
                qPrintable(error));

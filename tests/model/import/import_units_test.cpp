@@ -51,6 +51,8 @@ class ImportUnitsTest : public QObject {
   void mostStructuresDecide();
   void oneFileAmongOthers();
   void smallPartsOfAScanAreNoDoubt();
+  void whatIsStatedIsNoDoubt();
+  void moleculesBesideOrgansAreTold();
   void whatIsChosenIsSettled();
   void planOffersTheUnits();
   void flatStructuresAreTold();
@@ -167,6 +169,39 @@ void ImportUnitsTest::smallPartsOfAScanAreNoDoubt() {
   QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
   QVERIFY(imported->report.unitDoubts.empty());
   QVERIFY(drawnUnit(imported->scene) == DrawnUnit::millimetre);
+}
+
+/// Whatever its size: nobody is asked how long a millimetre of DICOM is.
+void ImportUnitsTest::whatIsStatedIsNoDoubt() {
+  const auto small = [](const glm::dvec3& at) { return test::ball(at, 8.0, at.z - 7.0, 2.0); };
+  const QTemporaryDir folder;
+  test::writeText(folder.filePath("set.dcm"),
+                  test::dicomFile(test::structureSet({{"Liver", "ORGAN", {}, small({0, 0, 0})}})));
+  const auto imported = importInputs(std::array{pathOf(folder)}, {});
+  QVERIFY(imported.ok());
+  QVERIFY(imported->report.unitDoubts.empty());
+  QVERIFY(drawnUnit(imported->scene) == DrawnUnit::millimetre);
+  const QString told = test::warningsOf(*imported);
+  QVERIFY2(told.contains("its unit is stated (DICOM: millimetres)"), qPrintable(told));
+}
+
+void ImportUnitsTest::moleculesBesideOrgansAreTold() {
+  const Path molecule = Path(SLINE_TEST_DATA) / "protein/1crn.pdb";
+  if (!std::filesystem::exists(molecule))
+    SLINE_ABSENT("the molecule is absent");
+  const QTemporaryDir folder;
+  write(folder, "liver.stl", 190.0f);
+  for (const bool together : {false, true}) {
+    std::vector<Path> inputs{molecule};
+    if (together)
+      inputs.push_back(pathOf(folder));
+    const auto imported = importInputs(inputs, {});
+    QVERIFY(imported.ok());
+    QCOMPARE(test::warningsOf(*imported).contains("ten million times as large as \"liver\""),
+             together);
+    QVERIFY(drawnUnit(imported->scene) ==
+            (together ? DrawnUnit::doubtedMillimetre : DrawnUnit::angstrom));
+  }
 }
 
 void ImportUnitsTest::whatIsChosenIsSettled() {

@@ -7,6 +7,7 @@
 #include "model/base/contrast.h"
 #include "model/edit/look.h"
 #include "model/edit/visibility.h"
+#include "model/focus/tissues.h"
 #include "model/scene/resolved_styles.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -55,6 +56,26 @@ class OpeningLookTest : public QObject {
     scene = withOnlyVisible(scene, scene.named("liver")).scene;
     QCOMPARE(firstTitle(scene), std::string("everything"));
     QVERIFY(subjectsOf(Scene()).empty());
+  }
+  /// Limbs as a whole are what the body is seen by, as its skin is, and not what a picture is
+  /// about.
+  void armsAreTheBodys() {
+    Scene scene = body();
+    for (const char* arm : {"left arm", "right arm"})
+      add(scene, arm, 55.0f, {arm[0] == 'l' ? 200.0f : -200.0f, 0, 0});
+    add(scene, "soft tissue of humerus", 30.0f, {200, 0, 90});
+    QCOMPARE(firstTitle(scene), std::string("organs"));
+    const OpeningLook opened = look(scene);
+    const Tissues tissues = tissuesOf(scene);
+    for (const char* name : {"left arm", "right arm", "soft tissue of humerus"}) {
+      QCOMPARE(tissues.at(scene.named(name).front().value), Tissue::skin);
+      QVERIFY(styleOf(opened.scene, name).gamma < styleOf(opened.scene, "liver").gamma);
+    }
+    // Nor do they make a subject of their own where nothing else is known.
+    Scene alone;
+    add(alone, "arms", 60.0f, {0, 0, 0});
+    add(alone, "humerus", 20.0f, {0, 0, 0});
+    QCOMPARE(firstTitle(alone), std::string("bones"));
   }
   void ligandsComeFirst() {
     Scene scene;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "model/scene/framing.h"
 #include "model/scene/free_sides.h"
 #include "model/scene/outermost_points.h"
 #include "tests/model/scene/projected_boxes.h"
@@ -46,6 +47,8 @@ class CameraFitTest : public QObject {
   void innerPointsDoNotMatter();
   void fitsWithinSides_data();
   void fitsWithinSides();
+  void roomAtTheSidesKeepsThePerspective_data();
+  void roomAtTheSidesKeepsThePerspective();
   void fitKeepsDirection();
   void degenerateExtentsStaySound_data();
   void degenerateExtentsStaySound();
@@ -171,6 +174,40 @@ void CameraFitTest::fitsWithinSides() {
   QVERIFY(close(left, right, 1e-3f));
   QVERIFY(close(top, bottom, 1e-3f));
   QVERIFY(close(std::min(left, top), 0.0f, 1e-3f));
+}
+
+void CameraFitTest::roomAtTheSidesKeepsThePerspective_data() {
+  QTest::addColumn<float>("aspect");
+  QTest::addColumn<float>("side");
+  QTest::addColumn<bool>("kept");
+  QTest::newRow("as saved") << 4.0f / 3.0f << 0.05f << true;
+  QTest::newRow("wide") << 1.6f << 0.1f << true;
+  QTest::newRow("labels") << 1.6f << 0.25f << true;
+  QTest::newRow("narrow") << 0.8f << 0.2f << true;
+  QTest::newRow("beyond what may be opened") << 0.5f << 0.4f << false;
+}
+
+/// A view with labels beside it shows what it showed when it was saved, smaller; what lies at the
+/// sides of the saved picture lies at the same share of what is left.
+void CameraFitTest::roomAtTheSidesKeepsThePerspective() {
+  QFETCH(float, aspect);
+  QFETCH(float, side);
+  QFETCH(bool, kept);
+  const Camera saved{.eye = {0, -500, 0}, .target = {0, 0, 0}};
+  const Camera wider = withSides(saved, aspect, {.left = side, .right = side});
+  QVERIFY(!cameraFault(wider));
+  QCOMPARE(wider.eye == saved.eye, kept);
+  const glm::vec3 atEdge{0.9f * 4.0f / 3.0f * 500.0f * edgeSlope(saved), 0, 0};
+  const Box bounds{{-500, -100, -100}, {500, 100, 100}};
+  const float x = project(wider, bounds, aspect, atEdge).x;
+  QVERIFY2(std::abs(x) <= 1.0f - 2.0f * side + 1e-3f, qPrintable(QString::number(x)));
+  for (const float y : {-80.0f, 80.0f}) {
+    const glm::vec3 p{60, y, 30};
+    const glm::vec3 now = project(wider, bounds, aspect, p);
+    const glm::vec3 then = project(saved, bounds, aspect, p);
+    if (kept)  // the same picture, smaller
+      QVERIFY(std::abs(now.x * then.y - now.y * then.x) < 1e-4f);
+  }
 }
 
 void CameraFitTest::fitKeepsDirection() {

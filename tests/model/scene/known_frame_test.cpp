@@ -45,7 +45,7 @@ class KnownFrameTest : public QObject {
     Scene scene;
     scene.append(molecule());
     const NodeId organ = scene.append(structure("liver.stl", "LPS", "the file says so"));
-    QVERIFY(drawnUnit(scene) == DrawnUnit::millimetre);
+    QVERIFY(drawnUnit(scene) == DrawnUnit::doubtedMillimetre);
     QVERIFY(hasSides(scene));
     std::vector<Node> nodes = scene.nodes();
     for (Node& node : nodes)

@@ -80,6 +80,8 @@ class JournalTest : public QObject {
   void zerosAtTheEnd();
   void growsOnlySoFar();
   void meshesThatWereNotWritten();
+  void whatIsAtFaultIsLeftOut();
+  void aDamagedMeshLeavesAnEmptyRow();
   void aSuccessorCountsWhenTheOtherIsGone();
   void ofOneProcessEachHasItsOwn();
   void aFullDisk();
@@ -329,6 +331,75 @@ void JournalTest::meshesThatWereNotWritten() {
   fs::remove(file);
   const auto nothing = recovered(recoverableIn(folder)[0]);
   QVERIFY(!nothing.ok() && !nothing.error().remedy.empty());
+}
+
+/// As of a scene file, only what is at fault is lost, and told.
+void JournalTest::whatIsAtFaultIsLeftOut() {
+  const QTemporaryDir place;
+  const fs::path folder = place.path().toStdString();
+  const MeshPtr mesh = test::sphere(1, 2);
+  fs::path file;
+  {
+    const auto journal = Journal::reserve(folder);
+    QVERIFY(journal.ok());
+    file = (*journal)->file();
+    QVERIFY((*journal)->start({"work", {}}, {}, step(0, 0, named("a", mesh))).ok());
+    QVERIFY((*journal)->note({NodeId{0}, NodeId{1}}).ok());  // no node has the id 0
+    QVERIFY((*journal)->note(step(1, 1, named("b", mesh))).ok());
+    QVERIFY((*journal)->note(step(2, 2, named(std::string(1001, 'c'), mesh))).ok());
+  }
+  JournalContent content = journalContent(bytesOf(file));
+  QCOMPARE(content.states.size(), std::size_t(3));
+  QCOMPARE(content.selection, std::vector{NodeId{1}});
+  for (JournalState& state : content.states) {
+    std::string text = *state.text;
+    text.insert(text.find("\"name\""), "\"locked\": 7,\n");
+    state.text = std::make_shared<const std::string>(text);
+  }
+  JournalWriter writer;
+  QVERIFY(writeText(file, journalBytes(content, writer)).ok());
+  const auto found = recoverableIn(folder);
+  QCOMPARE(found.size(), std::size_t(1));
+  const auto back = recovered(found[0]);
+  QVERIFY2(back.ok(), back.ok() ? "" : back.error().text().c_str());
+  QCOMPARE(namesIn(*back), "ab[" + std::string(1000, 'c') + "]");
+  QVERIFY(back->states[2].scene.nodes().back().mesh);
+  const auto tells = [&back](const char* what) {
+    return std::any_of(back->leftOut.begin(), back->leftOut.end(), [what](const std::string& line) {
+      return line.find(what) != std::string::npos;
+    });
+  };
+  QVERIFY(tells("locked): true or false is expected here"));
+  QVERIFY(tells("the name is longer than 1000 bytes; it was cut there"));
+}
+
+/// Of a mesh that is nowhere any more the structure's row stays; the other structures are whole.
+void JournalTest::aDamagedMeshLeavesAnEmptyRow() {
+  const QTemporaryDir place;
+  const fs::path folder = place.path().toStdString();
+  fs::path file;
+  {
+    const auto journal = Journal::reserve(folder);
+    QVERIFY(journal.ok());
+    file = (*journal)->file();
+    Scene scene;
+    scene.append({.name = "first", .mesh = test::sphere(1, 2)});
+    scene.append({.name = "second", .mesh = test::sphere(2, 2)});
+    QVERIFY((*journal)->start({"work", {}}, {}, step(0, 0, scene)).ok());
+    QVERIFY((*journal)->writeMeshes(1min).ok());
+  }
+  QVERIFY(recovered(recoverableIn(folder)[0])->leftOut.empty());
+  const fs::path meshes = fs::path(file).replace_extension(".meshes");
+  std::string bytes = bytesOf(meshes);
+  bytes[bytes.size() / 4] ^= 1;
+  QVERIFY(writeText(meshes, bytes).ok());
+  const auto back = recovered(recoverableIn(folder)[0]);
+  QVERIFY2(back.ok(), back.ok() ? "" : back.error().text().c_str());
+  QCOMPARE(back->leftOut.size(), std::size_t(1));
+  QVERIFY(back->leftOut[0].starts_with("\"first\" (nodes[0].mesh.file): "));
+  const auto& nodes = back->states[0].scene.nodes();
+  QCOMPARE(nodes.size(), std::size_t(2));
+  QVERIFY(!nodes[0].mesh && nodes[1].mesh);
 }
 
 /// A document that was recovered has a journal of its own, which is the worse one until it is

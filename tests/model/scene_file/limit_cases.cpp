@@ -298,7 +298,7 @@ void addOrigin(Cases& cases) {
         AtomSet{{"W"}, std::vector<AtomBall>(count, AtomBall{{1, 2, 3}, 1, 0})});
     return structurePut([set](Node& node) { node.atoms = {set}; });
   });
-  for (const std::size_t more : {std::size_t(0), std::size_t(1)})
+  for (const std::size_t more : {0ul, 1ul})
     cases.add("values of paint", std::to_string(more) + " more than vertices", more == 0,
               structurePut([more](Node& node) {
                 node.paint = std::make_shared<const Paint>(node.mesh->vertexCount() + more, 9);
@@ -389,6 +389,21 @@ void addScans(Cases& cases) {
   });
 }
 
+void addTraces(Cases& cases) {
+  const SourceTrace sound{std::string(traceDigits, '1'), std::string(traceDigits, '2'), {}, {}};
+  for (const auto& [count, digit] : {std::pair(traceDigits, 'f'), std::pair(traceDigits, 'F'),
+                                     std::pair(traceDigits - 1, '0'), std::pair(70'000ul, '0')})
+    for (const auto of : {&SourceTrace::salt, &SourceTrace::study})
+      cases.add(of == &SourceTrace::salt ? "salt" : "study", std::to_string(count), digit == 'f',
+                [trace = sound, of, text = std::string(count, digit)](Scene& scene) mutable {
+                  trace.*of = text;
+                  scene.setTraces({trace});
+                });
+  cases.counts("traces", mostSourceTraces, [sound](std::size_t count) -> Put {
+    return [all = std::vector(count, sound)](Scene& scene) { scene.setTraces(all); };
+  });
+}
+
 void addCounts(Cases& cases) {
   cases.counts("groups in each other", deepestSceneGroup, [](std::size_t count) -> Put {
     return [count](Scene& scene) {
@@ -476,6 +491,7 @@ std::vector<LimitCase> limitCases() {
   addOrigin(cases);
   addPlaces(cases);
   addScans(cases);
+  addTraces(cases);
   addCounts(cases);
   addIds(cases);
   return std::move(cases.all);

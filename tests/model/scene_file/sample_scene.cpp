@@ -164,6 +164,8 @@ std::string difference(const Scene& a, const Scene& b) {
     return "focus";
   if (a.keyLight() != b.keyLight())
     return "key light";
+  if (a.traces() != b.traces())
+    return "traces";
   if (a.unread() != b.unread())
     return "unread: " + a.unread() + " / " + b.unread();
   if (a.nodes().size() != b.nodes().size())

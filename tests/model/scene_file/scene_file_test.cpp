@@ -8,6 +8,7 @@
 #include <random>
 
 #include "model/disk/whole_file.h"
+#include "model/scene_file/fingerprint.h"
 #include "model/scene_json/json_value.h"
 #include "model/scene_json/scene_json.h"
 #include "tests/model/scene_file/sample_scene.h"
@@ -21,6 +22,28 @@ namespace {
 std::string sampleFile() {
   auto bytes = sceneFileBytes({.scene = test::sampleScene(), .thumbnail = "no real picture"});
   return bytes.ok() ? std::move(*bytes) : std::string();
+}
+
+/// The same with a scan and a member of others.
+std::string fullFile() {
+  Scene scene = test::sampleScene();
+  Scan scan{.name = "CT"};
+  scan.size = {4, 3, 2};
+  scan.voxels = std::make_shared<const std::vector<std::int16_t>>(24, std::int16_t(7));
+  scene.setScans({scan});
+  const auto bytes = sceneFileBytes(
+      {.scene = scene, .thumbnail = "no real picture", .others = {{"notes.txt", "mine"}}});
+  return bytes.ok() ? *bytes : std::string();
+}
+
+/// Changes a byte of the packed member.
+std::string damaged(std::string file, const std::string& name) {
+  constexpr std::size_t beforeName = 30;  // a member's own header
+  const std::size_t at = file.find(name, beforeName);
+  const auto extra = static_cast<unsigned char>(file[at - 2]);
+  char& byte = file[at + name.size() + extra + 2];
+  byte = char(byte ^ 0x10);
+  return file;
 }
 
 std::string newerFile() {
@@ -46,6 +69,8 @@ class SceneFileTest : public QObject {
   void refuses();
   void whatIsAtFaultIsLeftOut_data();
   void whatIsAtFaultIsLeftOut();
+  void aDamagedMeshLeavesAnEmptyRow();
+  void whatIsKnownToBeWholeIsNotReadAgain();
   void everyCutIsRefused();
   void mutationsNeverCrash();
   void extensions();
@@ -135,10 +160,7 @@ void SceneFileTest::refuses_data() {
   row("a document of others", *zipped({&member}), "holds no scene.json");
   row("no JSON", test::withMember(good, "scene.json", "[1,"), "scene.json: byte 4");
   row("another JSON", test::withMember(good, "scene.json", "{}"), "\"format\" is missing");
-  row("a broken mesh", test::withMember(good, "meshes/3.mesh", "x"),
-      "meshes/3.mesh: it is no mesh");
-  row("broken paint", test::withMember(good, "paint/3.paint", "x"),
-      "paint/3.paint: it does not begin like what is painted");
+  row("a damaged scene.json", damaged(good, "scene.json"), "scene.json: it is cut or damaged");
   Json root = Json::parse(test::memberOf(good, "scene.json"));
   root["frame"] = "RAS";
   row("another frame", test::withMember(good, "scene.json", root.dump()),
@@ -151,7 +173,22 @@ void SceneFileTest::whatIsAtFaultIsLeftOut_data() {
   const auto row = [](const char* name, const std::string& bytes, const char* message) {
     QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(message);
   };
-  const std::string good = sampleFile();
+  const std::string good = fullFile();
+  row("a broken mesh", test::withMember(good, "meshes/3.mesh", "x"),
+      "\"Ärterie \"a\"\" (nodes[2].mesh.file): meshes/3.mesh: it is no mesh of this format; "
+      "the structure stays as an empty row");
+  row("broken paint", test::withMember(good, "paint/3.paint", "x"),
+      "(nodes[2].paint.file): paint/3.paint: it does not begin like what is painted");
+  row("a broken scan", test::withMember(good, "scans/1.scan", "x"),
+      "(scans[0].voxels): scans/1.scan: it does not begin like the voxels");
+  row("a damaged mesh", damaged(good, "meshes/3.mesh"),
+      "(nodes[2].mesh.file): meshes/3.mesh: it is cut or damaged");
+  row("damaged paint", damaged(good, "paint/3.paint"),
+      "(nodes[2].paint.file): paint/3.paint: it is cut or damaged");
+  row("a damaged scan", damaged(good, "scans/1.scan"),
+      "(scans[0].voxels): scans/1.scan: it is cut or damaged");
+  row("a damaged picture", damaged(good, "thumbnail.png"), "thumbnail.png: it is cut or damaged");
+  row("a damaged member of others", damaged(good, "notes.txt"), "notes.txt: it is cut or damaged");
   row("paint of too few", test::withMember(good, "paint/3.paint", "SlinePa1\x01\x02"),
       "\"Ärterie \"a\"\" (nodes[2].paint.file): it has 2 values");
   row("paint of too many",
@@ -204,6 +241,39 @@ void SceneFileTest::whatIsAtFaultIsLeftOut() {
   QVERIFY(again.ok() && !again->isForReading());
   QCOMPARE(test::difference(again->scene, document->scene), std::string());
   QVERIFY(writeSceneFile(other, *again).ok());
+}
+
+void SceneFileTest::aDamagedMeshLeavesAnEmptyRow() {
+  const Scene whole = test::sampleScene();
+  const auto document = documentFromBytes(damaged(sampleFile(), "meshes/3.mesh"));
+  QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
+  QCOMPARE(document->scene.nodes().size(), whole.nodes().size());
+  for (std::size_t i = 0; i < whole.nodes().size(); ++i) {
+    const Node& node = document->scene.nodes()[i];
+    QCOMPARE(node.id, whole.nodes()[i].id);
+    QCOMPARE(node.parent, whole.nodes()[i].parent);
+    QCOMPARE(node.name, whole.nodes()[i].name);
+    QVERIFY(node.style == whole.nodes()[i].style);
+    // The mesh of the node 3, which others may share.
+    const bool empty = whole.nodes()[i].isGroup() || whole.nodes()[i].mesh == whole.nodes()[2].mesh;
+    QCOMPARE(node.isGroup(), empty);
+  }
+}
+
+/// A file of which all was read need not be read again before it is written over, as long as it is
+/// that file; of another one it is not known.
+void SceneFileTest::whatIsKnownToBeWholeIsNotReadAgain() {
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("a.sline").toStdString();
+  QVERIFY(writeText(file, sampleFile()).ok());
+  auto document = readSceneFile(file);
+  QVERIFY(document.ok() && document->whole == *fingerprintOfFile(file));
+  QVERIFY(writeText(file, damaged(sampleFile(), "meshes/3.mesh")).ok());
+  QVERIFY(!writeSceneFile(file, *document).ok());
+  QVERIFY(!readSceneFile(file)->whole);
+  // Whoever says that it is whole is believed: nothing of it is unpacked.
+  document->whole = *fingerprintOfFile(file);
+  QVERIFY(writeSceneFile(file, *document).ok());
 }
 
 void SceneFileTest::refuses() {

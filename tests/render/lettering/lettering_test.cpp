@@ -163,6 +163,11 @@ class LetteringTest : public QObject {
     label.text = "Conjugata vera";
     QCOMPARE(QString::fromStdString(keyText(label, {})),
              QStringLiteral("Conjugata vera 88\u00a0mm"));
+    // No surface is known to a tenth of a millimetre that would be 0.0.
+    label.lengthMm = 0.03f;
+    QCOMPARE(QString::fromStdString(keyText(label, {})), QStringLiteral("Conjugata vera touching"));
+    QCOMPARE(QString::fromStdString(keyText(label, {.language = "de"})),
+             QStringLiteral("Conjugata vera berühren sich"));
     label.item.kind = model::AnnotationKind::callout;
     label.lengthMm.reset();
     label.text = "**Ren** *dexter*";

@@ -130,6 +130,30 @@ class DocumentFileTest : public QObject {
     QVERIFY(session.modified());
   }
 
+  /// Undo across openings asks the system for a file that nobody has touched, and reads no other.
+  void whatNobodyTouchedIsNotRead() {
+    const fs::path path = file("untouched.sline");
+    Session session;
+    QVERIFY(openMade(session));
+    QVERIFY(save(session, path));
+    DocumentFile saved = session.file();
+    QVERIFY(saved.state && saved.state == model::fileState(path));
+    saved.lock.reset();
+    session.closeDocument();
+    // A stamp that no file has tells whether the file is read.
+    saved.stamp = model::Fingerprint{.bytes = 1, .crc = 1};
+    DocumentFile untouched = saved;
+    relock(untouched);
+    QVERIFY(untouched.writable == Writable::yes && untouched.lock);
+    untouched.lock.reset();
+    happen(Meanwhile::replacedByOneAsLarge, path);
+    DocumentFile changed = saved;
+    relock(changed);
+    QVERIFY(changed.writable == Writable::changedOnDisk && !changed.lock);
+    fs::remove(path);
+    QVERIFY(!model::fileState(path) && !model::fileState(path.parent_path()));
+  }
+
   void readOnly_data() {
     QTest::addColumn<int>("why");
     QTest::newRow("open in another window") << int(Writable::lockedElsewhere);

@@ -44,6 +44,33 @@ class RecoveredFileTest : public QObject {
     QVERIFY(same(onDisk(path), scene));
   }
 
+  /// What a journal cannot bring back may still be in the file, which is not written over.
+  void recoveredInPart() {
+    const fs::path folder = file("partly");
+    const fs::path path = file("partly.sline");
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    model::Scene scene = balls();
+    std::vector<model::Node> nodes = scene.nodes();
+    nodes[0].name = std::string(1001, 'x');
+    scene.setNodes(std::move(nodes));
+    {
+      const auto journal = model::Journal::reserve(folder);
+      QVERIFY(journal.ok());
+      QVERIFY((*journal)
+                  ->start({"partly.sline", path, stampOf(path)}, {},
+                          {.scene = std::make_shared<const model::Scene>(scene)})
+                  .ok());
+      QVERIFY((*journal)->writeMeshes(std::chrono::minutes(1)).ok());
+    }
+    Session session;
+    session.openRecovered(model::recoverableIn(folder).at(0));
+    QVERIFY(idle(session));
+    QCOMPARE(session.scene().nodes()[0].name, std::string(1000, 'x'));
+    QVERIFY(session.file().writable == Writable::newerProgram);
+    QVERIFY2(session.file().reason.contains(QLatin1String("was cut there")),
+             qPrintable(session.file().reason));
+  }
+
   void recoveredWhereTheFileMayHaveChanged_data() {
     QTest::addColumn<int>("meanwhile");
     QTest::addColumn<int>("writable");

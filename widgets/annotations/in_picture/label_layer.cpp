@@ -72,7 +72,7 @@ void LabelLayer::frame(QPainter& painter, model::AnnotationId id, bool active) c
   const QRectF box = boxOf(*m_sheet, id).adjusted(-air, -air, air, air);
   if (box.width() <= 2.0 * air)
     return;
-  const bool dark = m_sheet->wish.style.onDark;
+  const bool dark = m_sheet->wish.style.ground == render::Background::dark;
   QColor ink = dark ? QColor(126, 190, 255) : QColor(18, 92, 156);
   painter.setBrush(QColor(ink.red(), ink.green(), ink.blue(), active ? 34 : 18));
   ink.setAlpha(active ? 255 : 120);

@@ -41,7 +41,7 @@ render::LabelBox extentOf(const render::LabelPlate& plate) {
 
 bool same(const LabelWish& a, const LabelWish& b) {
   const auto tied = [](const LabelWish& w) {
-    return std::tie(w.style.mode, w.style.points, w.style.language, w.style.onDark, w.size,
+    return std::tie(w.style.mode, w.style.points, w.style.language, w.style.ground, w.size,
                     w.style.reserved, w.pixelsPerMm, w.ratio, w.document, w.arrivals);
   };
   return tied(a) == tied(b);
@@ -87,7 +87,7 @@ QString keyOf(const LabelWish& wish, const render::LabelPlate& alone) {
                                                           alone.labels[0].item.places[0].x > 0.0f));
   const QStringList looks{QString::number(int(alone.style.mode)),
                           QString::number(double(alone.style.points)),
-                          QString::number(int(alone.style.onDark)),
+                          QString::number(int(alone.style.ground)),
                           QString::number(double(wish.pixelsPerMm) * wish.ratio),
                           QString::number(int(alone.labels[0].item.kind)),
                           QString::number(int(right))};

@@ -77,14 +77,15 @@ PictureLabels::PictureLabels(Context place)
 }
 
 void PictureLabels::setStyle(const render::LabelStyle& style) {
-  const bool dark = m_style.onDark;
+  const render::Background ground = m_style.ground;
   m_style = style;
-  m_style.onDark = dark;
+  m_style.ground = ground;
   emit wishChanged();
 }
 
-void PictureLabels::setDark(bool dark) {
-  m_style.onDark = dark;
+void PictureLabels::setGround(render::Background ground) {
+  // Labels are on a sheet of their own over the picture, in which halos cannot be gaps.
+  m_style.ground = ground == render::Background::transparent ? render::Background::white : ground;
 }
 
 LabelWish PictureLabels::wish(bool moving) const {

@@ -37,7 +37,7 @@ class PictureLabels : public QObject {
   /// Returns how labels look; their ink depends on the picture's background.
   const render::LabelStyle& style() const { return m_style; }
   void setStyle(const render::LabelStyle& style);
-  void setDark(bool dark);
+  void setGround(render::Background ground);
   /// Makes labels as large as on a page of the picture's height, to be read from afar.
   void setPresented(bool presented) { m_presented = presented; }
   /// Returns the labels wanted for a picture of the widget as it is now; `moving` tells that its

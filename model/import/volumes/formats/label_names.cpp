@@ -12,6 +12,7 @@
 
 #include "model/base/colour_text.h"
 #include "model/base/letters.h"
+#include "model/base/utf8.h"
 #include "model/import/source/source.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/source/xml_tags.h"
@@ -25,7 +26,8 @@ using Json = nlohmann::json;
 using Fields = std::vector<std::string_view>;
 
 constexpr std::size_t mostNames = 65'536;
-constexpr std::size_t longestName = 256;
+/// More than a scene may hold, so that whoever cuts a name to that says so.
+constexpr std::size_t longestName = 4096;
 constexpr std::uint64_t largestTable = std::uint64_t(8) << 20;
 
 std::string_view unquoted(std::string_view text) {
@@ -72,7 +74,7 @@ std::optional<Colour> colourOfChannels(const std::array<std::optional<double>, 3
 void add(LabelNames& names, std::int64_t value, std::string_view name,
          std::optional<Colour> colour) {
   if (name = unquoted(name); !name.empty() && names.size() < mostNames)
-    names.emplace(value, Label{value, std::string(name.substr(0, longestName)), colour, {}});
+    names.emplace(value, Label{value, std::string(cutUtf8(name, longestName)), colour, {}});
 }
 
 Fields fieldsOf(std::string_view line, char separator) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "model/base/letters.h"
 #include "model/import/source/file_in_folder.h"
@@ -135,14 +137,59 @@ class NrrdReader {
     const auto origin = nrrdVectors(m_header.field("space origin"));
     if (origin.size() == 1 && origin.front())
       place[3] = glm::dvec4(*origin.front(), 1.0);
+    const bool ofSlicerRt = moveByExtent(!space->frame) && !space->frame;
+    const glm::dvec3 toLps = ofSlicerRt ? glm::dvec3(-1.0, -1.0, 1.0) : space->toLps;
     const double unit = nrrdUnit(m_header);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 3; ++row)
-        place[column][row] *= space->toLps[row] * (unit > 0.0 ? unit : 1.0);
-    m_file.frame = space->frame;
-    m_file.frameReason = "space: " + std::string(m_header.field("space"));
+        place[column][row] *= toLps[row] * (unit > 0.0 ? unit : 1.0);
+    m_file.frame = ofSlicerRt ? std::optional(Frame::ras) : space->frame;
+    m_file.frameReason = ofSlicerRt ? "SlicerRT's segmentations are RAS"
+                                    : "space: " + std::string(m_header.field("space"));
     m_file.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
     return Unit{};
+  }
+
+  /// Moves the first voxel to its place in the reference image where the origin is that image's;
+  /// returns whether it is. Segmentations of SlicerRT and its time's 3D Slicer say which voxels
+  /// of the reference image they hold (Segmentation_Extent), in its own coordinates, RAS. Later
+  /// ones say so too (Segmentation_ReferenceImageExtentOffset), but have an origin of their own.
+  bool moveByExtent(bool spaceless) {
+    const std::string_view text = m_header.key("Segmentation_Extent");
+    if (text.empty())
+      return false;
+    std::array<std::int64_t, 6> extent{};
+    TextCursor at(text);
+    bool fits = true;
+    for (std::size_t i = 0; i < extent.size(); ++i) {
+      at.skipSpace();
+      fits = fits && at.integer(extent[i]) && std::abs(extent[i]) < 100'000;
+    }
+    const glm::i64vec3& size = m_file.layout.size;
+    for (int axis = 0; fits && axis < 3; ++axis)
+      fits = extent[std::size_t(2 * axis) + 1] - extent[std::size_t(2 * axis)] + 1 == size[axis];
+    const std::string says = "says that it holds the voxels " + inQuotes(text);
+    if (!fits) {
+      m_file.warnings.push_back(m_source.warning(
+          says +
+          " of a reference image, which are not as many as it has; it was placed as if its "
+          "origin were its own"));
+      return false;
+    }
+    if (extent[0] == 0 && extent[2] == 0 && extent[4] == 0)
+      return spaceless;
+    if (!m_header.key("Segmentation_ReferenceImageExtentOffset").empty()) {
+      m_file.warnings.push_back(
+          m_source.warning(says + " of a reference image, and an offset in it, as files with an "
+                                  "origin of their own do; it was placed by its origin alone"));
+      return false;
+    }
+    if (!spaceless)
+      m_file.warnings.push_back(m_source.warning(
+          says + " of a reference image; its origin was taken to be that image's"));
+    for (int axis = 0; axis < 3; ++axis)
+      m_file.toLps[3] += double(extent[std::size_t(2 * axis)]) * m_file.toLps[axis];
+    return true;
   }
 
   Status readType() {

@@ -67,6 +67,14 @@ class SourceCreditTest : public QObject {
         "||");
     add("a path", CreditText::mesh, "# Copyright /home/jane/scans\n# Author: C:\\Users\\jane\n",
         "||");
+    add("a name, not a sentence about it", CreditText::licence,
+        "All or portions of this licensed product are subject to the following terms\n\n"
+        "The Atlas license below is a BSD style license, with extensions\n"
+        "to cover contributions.\n\nAtlas Contribution and Software License Agreement\n"
+        "Version 1.0\n\nIf you distribute it, this license must be included.\n",
+        "||Atlas Contribution and Software License Agreement");
+    add("a sentence with a known name", CreditText::licence,
+        "This work is licensed under CC BY 4.0.\n", "||This work is licensed under CC BY 4.0.");
     add("nothing", CreditText::licence, "", "||");
     add("control characters", CreditText::mesh, "# CC BY 4.0 \x01 by\tJ\n", "||");
     add("control characters of Latin 1", CreditText::mesh, "# CC BY\xc2\x85 4.0\n", "||");

@@ -41,11 +41,15 @@ void LateralityTest::vote_data() {
       0, 2);
   row("single by the spine", {"right femur", "sacrum"}, {-80, 0}, 1, 0);
   row("single alone, by the origin", {"left kidney"}, {50}, 1, 0);
-  row("two singles, by each other", {"left kidney", "right femur"}, {450, 520}, 0, 1);
-  row("organs by nature", {"liver", "spleen"}, {-50, 50}, 1, 0);
+  row("two singles, by each other", {"left kidney", "right femur"}, {450, 520}, 0, 2);
+  row("each of several singles", {"left kidney", "left ureter", "spleen", "liver", "right femur"},
+      {-70, 40, 80, -60, -90}, 4, 1);
+  row("organs by nature", {"liver", "spleen"}, {-50, 50}, 2, 0);
   row("organs by nature, by the spine", {"Leber", "spleen", "sacrum"}, {-50, 50, 0}, 2, 0);
-  row("single by the middle of others", {"left eye", "a", "b", "c", "d", "e"},
-      {480, 500, 510, 490, 505, 520}, 0, 1);
+  row("the middle of others is none", {"left kidney", "spleen", "a", "b", "c", "d", "e"},
+      {50, 80, 95, 100, 105, 100, 110}, 2, 0);
+  row("nor is what grows in the middle", {"left kidney", "spine tumour"}, {50, 80}, 1, 0);
+  row("single by the hull", {"left eye", "body"}, {480, 500}, 0, 1);
   row("parts of what lies in the middle", {"left atrium", "right lobe of liver"}, {-5, -20}, 0, 0);
   row("no sides", {"bowel", "bladder"}, {-50, 50}, 0, 0);
   row("too close to say", {"left vein", "right vein", "bowel"}, {0.2, 0.1, 100}, 0, 0);
@@ -91,6 +95,10 @@ void LateralityTest::clearVotes_data() {
   row("two in four", pairs, {50, -50, 50, -50, -50, 50, -50, 50}, false);
   row("one in three", pairs.mid(0, 6), {50, -50, 50, -50, -50, 50}, false);
   row("no names", {"a", "b"}, {50, -50}, false);
+  row("the hull", {"left kidney", "left femur", "body"}, {50, 90, 0}, false);
+  row("others", {"left kidney", "spleen", "a", "b", "c", "d", "e"},
+      {50, 80, 95, 100, 105, 100, 110}, false);
+  row("hardly beside the middle", {"left kidney", "heart", "sacrum"}, {50, 1.2, 0}, false);
 }
 
 void LateralityTest::clearVotes() {
@@ -108,6 +116,11 @@ void LateralityTest::otherSideNamesTheStructures() {
                                           {"left femur", -80},  {"right femur", 80},
                                           {"left ureter", -10}, {"liver", -60}};
   QCOMPARE(namedForOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
+  // What is left and right within one organ has its middle there.
+  const std::vector<NamedPosition> liver{
+      {"left hepatic vein", -40}, {"right hepatic vein", -70}, {"gallbladder", -50}};
+  QCOMPARE(voteOnFrame(liver).ras, 0);
+  QVERIFY(namedForOtherSide(liver).empty());
 }
 
 void LateralityTest::liverOnTheRight_data() {

@@ -3,6 +3,7 @@
 // each structure lies where it belongs, or its sides are marked as not certain.
 #include <QDir>
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
@@ -10,6 +11,8 @@
 
 #include "model/import/naming/laterality.h"
 #include "model/import/plan/import.h"
+#include "model/import/plan/plan.h"
+#include "model/import/plan/read_inputs.h"
 #include "model/scene/known_frame.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/model/import/volumes/written_volumes.h"
@@ -53,6 +56,11 @@ const std::map<QString, glm::vec3>& body() {
                                                    {"left atrium", {-5, -20, 120}},
                                                    {"left lobe of liver", {-10, -40, 15}},
                                                    {"growth", {30, -10, -20}},
+                                                   {"cyst", {100, 30, -20}},
+                                                   {"drain", {105, 35, -30}},
+                                                   {"stone", {95, 40, -25}},
+                                                   {"tumour", {110, 25, -15}},
+                                                   {"fat", {100, 45, -35}},
                                                    {"left a", {40, 0, 0}},
                                                    {"right a", {-40, 0, 0}},
                                                    {"left b", {-30, 0, 20}},
@@ -155,6 +163,9 @@ class ImportTruthTest : public QObject {
   void nothingIsSilent();
   void leftMasseter_data();
   void leftMasseter();
+  void theOtherSideIsTold_data();
+  void theOtherSideIsTold();
+  void aScanChangesNothing();
   void besideASceneThatNamesIt();
   void besideASceneFile();
 };
@@ -182,11 +193,16 @@ void ImportTruthTest::nothingIsSilent_data() {
     row("volumes of the same names", frame, Header::volumes, nameless, "right");
     row("one volume of the same name", frame, Header::volumes, {"growth"}, "right");
     row("volumes of others", frame, Header::volumesApart, nameless, guessed);
-    row("neighbours", frame, Header::neighbours, {"growth"}, "right");
+    row("neighbours", frame, Header::neighbours, {"growth"}, "marked, right");
     row("neighbours apart", frame, Header::neighboursApart, {"growth"}, guessed);
-    row("pair", frame, Header::none, {"left kidney", "right kidney"}, "right");
-    row("pair far from the origin", frame, Header::none, {"left kidney", "right kidney"}, "right",
-        400.0f);
+    row("pair", frame, Header::none, {"left kidney", "right kidney"}, "front marked, right");
+    row("pair far from the origin", frame, Header::none, {"left kidney", "right kidney"},
+        "front marked, right", 400.0f);
+    row("pair, and what lies before it", frame, Header::none,
+        {"left kidney", "right kidney", "liver"}, "right");
+    const QStringList oneSided{"left kidney", "spleen", "cyst", "drain", "stone", "tumour", "fat"};
+    row("one side of the body", frame, Header::none, oneSided, "marked, right");
+    row("one side of the body, header", frame, Header::own, oneSided, "right");
     row("pair that contradicts", frame, Header::wrong, {"left kidney", "right kidney"},
         "marked, wrong");
     row("one left", frame, Header::none, {"left masseter"}, "marked, right");
@@ -198,20 +214,23 @@ void ImportTruthTest::nothingIsSilent_data() {
     row("descending colon", frame, Header::none, {"descending colon"}, "marked, right");
     row("liver and spleen", frame, Header::none, {"liver", "spleen"}, "right");
     row("liver and spleen far off", frame, Header::none, {"liver", "spleen"}, "right", 400.0f);
-    row("two of different names", frame, Header::none, {"left ureter", "right femur"}, "right");
+    row("two of different names", frame, Header::none, {"left ureter", "right femur"},
+        "front marked, right");
     row("two of the same side", frame, Header::none, {"left ureter", "left kidney"},
         "marked, right");
     row("one with the spine", frame, Header::none, {"left kidney", "spine"}, "marked, right", 400);
-    row("two with the spine", frame, Header::none, {"left kidney", "left ureter", "spine"}, "right",
-        400);
+    row("two with the spine", frame, Header::none, {"left kidney", "left ureter", "spine"},
+        "front marked, right", 400);
     row("part of an organ in the middle", frame, Header::none, {"left atrium"}, guessed);
     row("one of three pairs against", frame, Header::none,
         {"left a", "right a", "left b", "right b", "left c", "right c"}, "marked, right");
-    row("weak name, neighbours fit", frame, Header::neighbours, {"left kidney"}, "right");
+    row("weak name, neighbours fit", frame, Header::neighbours, {"left kidney"}, "marked, right");
   }
   // Files may be mirror images, which no side in a name tells.
   for (const Frame frame : {Frame::las, Frame::rps}) {
     row("mirrored, chosen", frame, Header::chosen, nameless, "right");
+    row("mirrored, names of sides alone", frame, Header::none, {"left kidney", "right kidney"},
+        "front marked, wrong");
     row("mirrored, spine behind the organs", frame, Header::none,
         {"left kidney", "right kidney", "spine", "liver", "urinary bladder"}, "marked, wrong");
     row("mirrored, volumes of the same names", frame, Header::volumes, {"liver", "spleen", "spine"},
@@ -240,21 +259,22 @@ void ImportTruthTest::nothingIsSilent() {
       importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, options);
   QVERIFY2(imported.ok(), imported ? "" : imported.error().text().c_str());
   bool right = true;
-  bool sure = true;
+  SideEvidence evidence;
   int found = 0;
   for (const Node& node : imported->scene.nodes()) {
     const auto organ = files.indexOf(QString::fromStdString(node.provenance.file));
     if (node.isGroup() || organ < 0 || node.provenance.frame.empty())
       continue;
     ++found;
-    sure = sure && node.provenance.evidence.isSure();
+    evidence.sides = std::max(evidence.sides, node.provenance.evidence.sides);
+    evidence.front = std::max(evidence.front, node.provenance.evidence.front);
     right = right &&
             glm::length(node.mesh->bounds().centre() - body().at(organs[organ]) - shift) < 0.1f;
   }
   QCOMPARE(found, int(organs.size()));
-  const QString got = QString(sure ? "" : "marked, ") + (right  ? "right"
-                                                         : sure ? "wrong and nothing says so"
-                                                                : "wrong");
+  const bool sure = evidence.isSure();
+  const QString mark = sure ? "" : isSure(evidence.sides) ? "front marked, " : "marked, ";
+  const QString got = mark + (right ? "right" : sure ? "wrong and nothing says so" : "wrong");
   QCOMPARE(got, outcome);
   QCOMPARE(knownSides(imported->scene).inDoubt(), !sure);
 }
@@ -316,7 +336,92 @@ void ImportTruthTest::leftMasseter() {
   const Node& node = test::named(imported->scene, "left masseter");
   QVERIFY2(node.mesh->bounds().centre().x > 30.0f, node.provenance.frameReason.c_str());
   QCOMPARE(QString::fromStdString(node.provenance.frame), QString(mirrored ? "LPS" : "RAS"));
-  QCOMPARE(node.provenance.evidence.isSure(), sure);
+  QCOMPARE(isSure(node.provenance.evidence.sides), sure);
+}
+
+/// A structure on the other side than its name says is told of on every way in, whatever the others
+/// say of the frame.
+void ImportTruthTest::theOtherSideIsTold_data() {
+  QTest::addColumn<QStringList>("organs");
+  QTest::addColumn<QStringList>("swapped");  // left and right
+  QTest::addColumn<QString>("told");
+  const auto row = [](const char* tag, const QStringList& organs, const QStringList& swapped,
+                      const char* told) {
+    QTest::newRow(tag) << organs << swapped << QString(told);
+  };
+  const QStringList kidneys{"left kidney", "right kidney"};
+  row("nothing", {"liver", "spleen", "spine", "left kidney", "right kidney"}, {}, "");
+  row("a pair", {"liver", "spleen", "appendix", "descending colon", "left kidney", "right kidney"},
+      kidneys, "\"left kidney\", \"right kidney\" lie on the other side than their names say");
+  row("one of several without a pair", {"liver", "spleen", "appendix", "left kidney"},
+      {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
+  row("one beside the spine", {"left ureter", "right femur", "spine", "left kidney"},
+      {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
+}
+
+void ImportTruthTest::theOtherSideIsTold() {
+  QFETCH(QStringList, organs);
+  QFETCH(QStringList, swapped);
+  QFETCH(QString, told);
+  for (const std::optional<Frame> stated : {std::optional<Frame>(), std::optional(Frame::ras)}) {
+    const QTemporaryDir folder;
+    for (const QString& organ : organs) {
+      glm::vec3 middle = body().at(organ);
+      middle.x = swapped.contains(organ) ? -middle.x : middle.x;
+      test::writeMesh(folder.filePath("body/" + organ + ".ply"),
+                      *test::octahedron(inFile(middle, Frame::ras), radius), stated);
+    }
+    const std::filesystem::path root(folder.path().toStdString());
+    const auto says = [&told](const ImportReport& report) {
+      const auto about = [](const ImportWarning& w) {
+        return w.reason.find("other side") != std::string::npos;
+      };
+      const auto found = std::find_if(report.warnings.begin(), report.warnings.end(), about);
+      return found == report.warnings.end() ? told.isEmpty()
+                                            : QString::fromStdString(found->reason) == told;
+    };
+    const auto imported = importInputs(std::array{root / "body"}, {});
+    QVERIFY(imported.ok());
+    QCOMPARE(imported->report.frame, Frame::ras);
+    QVERIFY2(says(imported->report), qPrintable(test::warningsOf(*imported)));
+    const auto plan = planImport(std::array{root / "body"}, {});
+    QVERIFY(plan.ok() && says(plan->report));
+    QVERIFY(writeSceneFile(root / "body.sline", {.scene = imported->scene}).ok());
+    const auto opened = importInputs(std::array{root / "body.sline"}, {});
+    QVERIFY(opened.ok() && says(opened->report));
+  }
+}
+
+/// A scan that is kept, or read for a plan, says nothing of surfaces beside it.
+void ImportTruthTest::aScanChangesNothing() {
+  const QTemporaryDir folder;
+  test::writeMesh(folder.filePath("growth.ply"),
+                  *test::octahedron(inFile(body().at("growth"), Frame::ras), radius));
+  glm::dmat4 place(1.0);
+  for (int axis = 0; axis < 3; ++axis)
+    place[axis][axis] = 4.0;
+  // Read as LPS the growth lies within, read as RAS beside it.
+  place[3] = glm::dvec4(-90.0, -60.0, -60.0, 1.0);
+  const auto grey = [](const glm::dvec3& p) { return int(500.0 + 7.0 * p.x + 3.0 * p.y + p.z); };
+  test::writeText(folder.filePath("ct.nrrd"),
+                  test::nrrdFile(test::sampled(glm::ivec3(24), place, grey),
+                                 "left-posterior-superior", "raw", test::Number::int16));
+  const std::array inputs{std::filesystem::path(folder.path().toStdString())};
+  const auto told = [](const Scene& scene) {
+    const Provenance& from = test::named(scene, "growth").provenance;
+    return QString::fromStdString(from.frame + ": " + from.frameReason) +
+           (from.evidence.isSure() ? "" : "?");
+  };
+  const auto plan = planImport(inputs, {});
+  QVERIFY(plan.ok() && !plan->read->scans.empty());
+  for (const bool keep : {false, true}) {
+    ImportOptions options;
+    options.keepScans = keep;
+    const auto imported = importInputs(inputs, options);
+    QVERIFY(imported.ok());
+    QCOMPARE(told(imported->scene), QString("LPS: %1?").arg(nothingTellsFrame.data()));
+    QCOMPARE(told(plan->scene), told(imported->scene));
+  }
 }
 
 /// A file that is opened alone belongs to the scene beside it.
@@ -355,7 +460,8 @@ void ImportTruthTest::besideASceneFile() {
     QVERIFY(imported.ok());
     const Node& node = test::named(imported->scene, "growth");
     QVERIFY(glm::length(node.mesh->bounds().centre() - there) < 0.1f);
-    QVERIFY(node.provenance.evidence.isSure());
+    // A box within another is a guess.
+    QVERIFY(!node.provenance.evidence.isSure());
   }
 }
 

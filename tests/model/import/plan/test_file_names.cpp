@@ -88,6 +88,44 @@ class FileNamesTest : public QObject {
         QCOMPARE(node.provenance.file.starts_with('#'), node.name != "liver");
   }
 
+  /// Programs title the solids of one file after files, too.
+  void titlesOfSolids() {
+    const auto solids = [](const char* size) {
+      QByteArray text;
+      for (const char* title : {"Qzxdoe_Qzxjane_femur", "Qzxjane_4711", "left kidney"}) {
+        text += QByteArray("solid ") + title + "\n";
+        for (const char* last : {"0 0 SIZE", "0 SIZE SIZE"})
+          text += QByteArray(
+                      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex SIZE 0 0\n"
+                      "vertex ") +
+                  last + "\nendloop\nendfacet\n";
+        text += QByteArray("endsolid ") + title + "\n";
+      }
+      return text.replace("SIZE", size);
+    };
+    const QString file = m_top + "/4711/bones.stl";
+    writeText(file, solids("90"));
+    const auto inputs = std::array{std::filesystem::path(file.toStdString())};
+    const auto imported = importInputs(inputs, {});
+    QVERIFY(imported.ok());
+    QCOMPARE(foundIn(sceneJson(imported->scene)), QStringList());
+    QCOMPARE(named(imported->scene, "left kidney").provenance.part, std::string("left kidney"));
+    // How many names are shorter is told once, in a line without any of them.
+    QCOMPARE(imported->report.notes.size(), std::size_t(1));
+    QVERIFY(
+        imported->report.notes[0].starts_with("words that may be a person's were left out of "
+                                              "2 structures' names"));
+    writeText(file, solids("80"));
+    const Reloaded reloaded = reload(imported->scene, inputs);
+    QCOMPARE(reloaded.meshes.size(), std::size_t(3));
+    QCOMPARE(named(reloaded.scene, "femur").mesh->bounds().high.x, 80.0f);
+    QCOMPARE(foundIn(sceneJson(reloaded.scene)), QStringList());
+    const auto kept = importInputs(inputs, {.keepFileNames = true});
+    QVERIFY(kept.ok());
+    QVERIFY(kept->report.notes.empty());
+    QCOMPARE(named(kept->scene, "Qzxjane 4711").provenance.part, std::string("Qzxjane 4711"));
+  }
+
   void allOfThemByChoice() {
     ImportOptions options;
     options.keepFileNames = true;

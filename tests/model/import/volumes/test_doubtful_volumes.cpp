@@ -127,6 +127,59 @@ class DoubtfulVolumesTest : public QObject {
     QCOMPARE(box.high, glm::vec3(15.0f, 27.0f, 34.5f));
   }
 
+  void placeInAReferenceImage_data() {
+    QTest::addColumn<QByteArray>("axes");
+    QTest::addColumn<QByteArray>("keys");
+    QTest::addColumn<glm::vec3>("middle");  // of the voxel 2, 3, 1, in LPS
+    QTest::addColumn<QString>("frame");
+    QTest::addColumn<QString>("says");
+    const QByteArray spaceless(
+        "dimension: 4\nspace dimension: 4\nsizes: 6 6 6 1\nspace directions: (-2,0,0,0) "
+        "(0,-2,0,0) (0,0,3,0) (0,0,0,1)\nspace origin: (100,200,30,0)\n");
+    const QByteArray lps(
+        "dimension: 3\nspace: LPS\nsizes: 6 6 6\nspace directions: (2,0,0) (0,2,0) (0,0,3)\n"
+        "space origin: (-100,-200,30)\n");
+    const QByteArray extent("Segmentation_Extent:=40 45 50 55 -2 3\n");
+    const QByteArray offset("Segmentation_ReferenceImageExtentOffset:=40 50 -2\n");
+    const glm::vec3 first(-96, -194, 33);
+    const glm::vec3 moved(-16, -94, 27);
+    QTest::newRow("SlicerRT's") << spaceless << extent << moved << "RAS"
+                                << "";
+    QTest::newRow("of all of the image")
+        << spaceless << QByteArray("Segmentation_Extent:=0 5 0 5 0 5\n") << first << "RAS"
+        << "";
+    QTest::newRow("3D Slicer's") << lps << offset << first << "LPS"
+                                 << "";
+    QTest::newRow("of another size")
+        << lps << QByteArray("Segmentation_Extent:=40 49 50 55 -2 3\n") << first << "LPS"
+        << "which are not as many as it has";
+    QTest::newRow("both") << lps << extent + offset << first << "LPS"
+                          << "it was placed by its origin alone";
+    QTest::newRow("SlicerRT's with a space") << lps << extent << moved << "LPS"
+                                             << "its origin was taken to be that image's";
+  }
+  void placeInAReferenceImage() {
+    QFETCH(QByteArray, axes);
+    QFETCH(QByteArray, keys);
+    QFETCH(glm::vec3, middle);
+    QFETCH(QString, frame);
+    QFETCH(QString, says);
+    QByteArray file = "NRRD0004\ntype: unsigned char\n" + axes + "encoding: raw\n" + keys +
+                      "Segment0_ID:=a\nSegment0_Name:=some_thing\n\n";
+    for (int i = 0; i < 216; ++i)
+      file += char(i % 6 == 2 && i / 6 % 6 == 3 && i / 36 == 1);
+    QTemporaryDir folder;
+    const Result<Imported> imported = importBytes(folder, "a.seg.nrrd", file);
+    QVERIFY2(imported.ok(), qPrintable(warningsOf(imported)));
+    const Node& node = named(imported->scene, "some thing");
+    QCOMPARE(node.mesh->bounds().centre(), middle);
+    QCOMPARE(QString::fromStdString(node.provenance.frame), frame);
+    QVERIFY(node.provenance.evidence.isSure());
+    const QString told = warningsOf(imported);
+    QCOMPARE(told.contains("reference image"), !says.isEmpty());
+    QVERIFY2(told.contains(says), qPrintable(told));
+  }
+
   void filesThatPeopleStumbledOver_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QString>("structure");

@@ -62,6 +62,7 @@ class VolumeSetsTest : public QObject {
   void overlapping();
   void imageAmongThem();
   void surfacesBeside();
+  void longNames();
   void nothingUsable();
 };
 
@@ -143,6 +144,23 @@ void VolumeSetsTest::surfacesBeside() {
   QCOMPARE(named(imported->scene, "liver").mesh->triangleCount() > 0, true);
   QVERIFY(named(imported->scene, "spleen").mesh != nullptr);
   QVERIFY(warningsOf(*imported).contains("1 structure left out"));
+}
+
+/// Names are whole, or it is told that they are not.
+void VolumeSetsTest::longNames() {
+  const QByteArray letter("\xc3\xa4");
+  for (const int bytes : {600, 1000, 1002, 9000}) {
+    QTemporaryDir folder;
+    writeMask(folder, "labels.nii.gz",
+              [](const glm::dvec3& p) { return ball(p, glm::dvec3(15.0), 9.0); });
+    const QByteArray name = letter.repeated(bytes / 2);
+    writeText(folder.filePath("labels.tsv"), "index\tname\n1\t" + name + "\n");
+    const Result<Imported> imported = importFolder(folder);
+    QVERIFY(imported.ok());
+    QCOMPARE(named(imported->scene, name.left(1000).toStdString()).name.size(),
+             std::size_t(std::min(bytes, 1000)));
+    QCOMPARE(warningsOf(*imported).contains("longer than 1000 bytes"), bytes > 1000);
+  }
 }
 
 void VolumeSetsTest::nothingUsable() {

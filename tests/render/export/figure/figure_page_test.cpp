@@ -12,6 +12,7 @@
 #include "render/export/figure/figure_checks.h"
 #include "render/export/figure/line_weights.h"
 #include "render/labels/screen.h"
+#include "tests/render/export/figure/sample_figure.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -20,56 +21,6 @@ namespace sline::test {
 using namespace render;
 
 namespace {
-
-/// Balls in a row from the patient's right to the left, each with a label.
-model::Scene rowOfBalls(int count) {
-  model::Scene scene;
-  std::vector<model::Annotation> labels;
-  for (int i = 0; i < count; ++i) {
-    const glm::vec3 at{30.0f * float(i) - 15.0f * float(count - 1), 0.0f, float(i % 2) * 20.0f};
-    const std::string name = "ball number " + std::to_string(i + 1);
-    const model::NodeId id = scene.append({.name = name,
-                                           .style = {.gamma = Gamma::clamped(2.0f)},
-                                           .mesh = moved(*sphere(12.0f, 3), 1.0f, at)});
-    model::Annotation label;
-    label.id = model::AnnotationId{std::uint64_t(i + 1)};
-    label.text = name;
-    label.anchors = {model::SurfacePoint{.structure = id}};
-    label.found = true;
-    labels.push_back(label);
-  }
-  scene.setAnnotations(std::move(labels));
-  model::View view;
-  view.name = "Saved";
-  view.camera = model::fittedView(scene, model::AnatomicalView::anterior, 1.4f);
-  scene.setViews({view});
-  return scene;
-}
-
-const FigureScenes& scenes() {
-  static const FigureScenes all{{"row.sline", std::make_shared<const model::Scene>(rowOfBalls(5))},
-                                {"two.sline", std::make_shared<const model::Scene>(rowOfBalls(2))}};
-  return all;
-}
-
-model::Figure fourPanels() {
-  model::Figure figure{.scene = "row.sline"};
-  figure.panels = {{.view = "anterior"},
-                   {.view = "superior"},
-                   {.view = "Saved", .camera = model::PanelCamera{.fit = true}},
-                   {.inset = model::PanelInset{.of = "a", .part = {{30, 22}, {20, 15}}}}};
-  return figure;
-}
-
-ComposedFigure drawn(const model::Figure& figure) {
-  const Result<FigurePlan> plan = planFigure(figure, scenes());
-  if (!plan.ok())
-    qFatal("%s", plan.error().text().c_str());
-  Result<ComposedFigure> composed = composeFigure(*plan, {});
-  if (!composed.ok())
-    qFatal("%s", composed.error().text().c_str());
-  return std::move(*composed);
-}
 
 /// Returns the millimetres of anatomy in a millimetre of paper at the target.
 float scaleOf(const ExportOrder& order) {
@@ -342,6 +293,54 @@ class FigurePageTest : public QObject {
     const Result<FigurePlan> changed = planFigure(figure, scenes());
     QVERIFY(composeFigure(*changed, count, &before).ok());
     QVERIFY(told > 0);
+  }
+
+  /// All panels but insets have one scale, that of the one that shows most, and one bar says it.
+  void sameScale_data() {
+    QTest::addColumn<bool>("parallel");
+    QTest::newRow("as saved") << false;
+    QTest::newRow("parallel") << true;
+  }
+  void sameScale() {
+    QFETCH(bool, parallel);
+    model::Figure figure = fourPanels();
+    figure.columns = {1.0f, 2.0f};
+    figure.panels.push_back({.scene = "two.sline", .view = "left"});
+    if (parallel)
+      figure.projection = model::FigureProjection::parallel;
+    const auto scale = [](const ExportOrder& order) {
+      return model::millimetresPerPixel(order.camera, order.scene.visibleBounds().centre(),
+                                        order.page.sizeMm.y);
+    };
+    const auto bars = [](const ComposedFigure& composed) {
+      std::vector<int> all;
+      for (const ComposedPanel& panel : composed.panels) {
+        const auto& items = panel.plate.marks.lettering.items;
+        all.push_back(int(std::count_if(items.begin(), items.end(), [](const LetteringItem& item) {
+          return item.name == "scale";
+        })));
+      }
+      return all;
+    };
+    const ComposedFigure before = drawn(figure);
+    figure.sameScale = true;
+    const ComposedFigure composed = drawn(figure);
+    float widest = 0.0f;
+    float narrowest = 1e9f;
+    for (const std::size_t i : {0, 1, 2, 4}) {
+      widest = std::max(widest, scale(before.plan.panels[i]));
+      narrowest = std::min(narrowest, scale(before.plan.panels[i]));
+    }
+    QVERIFY2(widest > 1.3f * narrowest, "the panels have one scale anyway");
+    for (const std::size_t i : {0, 1, 2, 4})
+      QVERIFY(std::abs(scale(composed.plan.panels[i]) / widest - 1.0f) < 1e-4f);
+    // The inset enlarges its part as much as before.
+    QVERIFY(std::abs(scale(composed.plan.panels[3]) / scale(composed.plan.panels[0]) -
+                     scale(before.plan.panels[3]) / scale(before.plan.panels[0])) < 1e-4f);
+    QCOMPARE(bars(before), (std::vector<int>{1, 1, 1, 1, 1}));
+    QCOMPARE(bars(composed), (std::vector<int>{1, 0, 0, 1, 0}));
+    figure.panels[1].scaleBar = true;
+    QCOMPARE(bars(drawn(figure)), (std::vector<int>{1, 1, 0, 1, 0}));
   }
 
   void stopsWhereAsked() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/page_bands.h"
+#include "render/export/pixels/page_overlay.h"
 #include "render/export/pixels/pixel_options.h"
 
 #include <QFile>
@@ -119,11 +120,30 @@ class PageBandsTest : public QObject {
   void averagesHoldMore();
   void samplesStayDrawable();
   void failedBandStops();
+  void aLegendAloneIsDrawn();
 };
 
 void PageBandsTest::initTestCase() {
   if (const Studio studio = openStudio(); !studio.picture)
     QSKIP(studio.absent.c_str());
+}
+
+/// A legend is drawn, or told to lack room, with no labels or marks beside it, too.
+void PageBandsTest::aLegendAloneIsDrawn() {
+  render::ExportOrder order = orderedPicture();
+  order.labels.mode = render::LabelMode::off;
+  order.marks = render::ExportMarks::none();
+  order.legend = render::LegendList::none;
+  const render::PageBands bands{.samples = 1, .bandSamples = 1 << 30};
+  const render::PixelRows without = drawn(order, bands);
+  order.legend = render::LegendList::all;
+  QVERIFY(apart(without, drawn(order, bands)).largest > 100.0);
+  order.camera = frontal(12.0f);  // anatomy from edge to edge
+  const auto overlay = render::PageOverlay::create(order, pixelsOf(order.page));
+  QVERIFY(overlay.ok());
+  const render::ExportNotes& notes = (*overlay)->notes();
+  QVERIFY(!notes.empty());
+  QCOMPARE(notes.front().names, std::vector<std::string>{"legend"});
 }
 
 void PageBandsTest::noSeams_data() {

@@ -42,15 +42,16 @@ class CreditsLineTest : public QObject {
   }
   void cleanupTestCase() { m_typesetting.reset(); }
 
-  /// They take as many lines as they need, at the page's foot and below all other marks; what does
-  /// not fit into four is told.
+  /// They take as many lines as they need, at the page's foot and below all other marks, in smaller
+  /// letters where these are many; what does not fit into half of the page is told.
   void areWhole_data() {
     QTest::addColumn<int>("people");
     QTest::addColumn<int>("lines");
     QTest::addColumn<bool>("whole");
     QTest::newRow("one") << 1 << 1 << true;
     QTest::newRow("fifteen") << 15 << 3 << true;
-    QTest::newRow("a hundred") << 100 << 4 << false;
+    QTest::newRow("a hundred") << 100 << 0 << true;
+    QTest::newRow("a thousand") << 1000 << 0 << false;
   }
   void areWhole() {
     QFETCH(int, people);
@@ -65,7 +66,7 @@ class CreditsLineTest : public QObject {
       return item.name == "sources";
     });
     QVERIFY(sources != items.end());
-    QCOMPARE(int(sources->text->lines.size()), lines);
+    QVERIFY(lines == 0 || int(sources->text->lines.size()) == lines);
     QCOMPARE(plainText(sources->text->lines) == authors, whole);
     const bool told = std::any_of(
         marks.notes.begin(), marks.notes.end(),

@@ -146,6 +146,8 @@ class MarksTest : public QObject {
   void theScaleIsTrue_data();
   void theScaleIsTrue();
   void sections();
+  void sectionsWithoutSides();
+  void theBarOfASectionIsTrueOnItsFace();
   void theViewsNameIsTrue_data();
   void theViewsNameIsTrue();
   void words_data();
@@ -328,6 +330,44 @@ void MarksTest::sections() {
   marks = marksOf(orderOf(scene));
   QVERIFY(!find(marks, "section 1"));
   QCOMPARE(textOf(marks, "sections"), QString("4 sections"));
+}
+
+/// What has no sides has no axial section either.
+void MarksTest::sectionsWithoutSides() {
+  model::Scene scene = sphereScene("file");
+  scene.appendSection(coronal(-12.0f));
+  scene.appendSection({.plane = model::anatomicalPlane(model::AnatomicalView::inferior, 6.5f)});
+  const Marks marks = marksOf(orderOf(scene));
+  QCOMPARE(textOf(marks, "section 1"), QString("Section at y = -12.0\u00a0mm, larger y kept"));
+  QCOMPARE(textOf(marks, "section 2"), QString("Section at z = 6.5\u00a0mm, smaller z kept"));
+}
+
+/// In perspective the bar of a section is true on the face that one sees, and says so.
+void MarksTest::theBarOfASectionIsTrueOnItsFace() {
+  model::Scene scene = sphereScene();
+  scene.appendSection(coronal(30.0f));
+  ExportOrder order = orderOf(scene);
+  order.camera.projection = model::Projection::perspective;
+  order.camera.eye = {0.0f, -200.0f, 0.0f};
+  order.camera.target = {0.0f, 0.0f, 0.0f};
+  const auto barOf = [&] {
+    const Marks marks = marksOf(order);
+    const LetteringItem* bar = find(marks, "scale");
+    return std::pair(textOf(marks, "scale"),
+                     bar ? painterPath(bar->shapes.front().path).boundingRect().width() : 0.0);
+  };
+  const auto [text, width] = barOf();
+  QVERIFY2(text.endsWith("at the cut face"), qPrintable(text));
+  const float length = text.startsWith("1 cm")   ? 10.0f
+                       : text.startsWith("2 cm") ? 20.0f
+                       : text.startsWith("5 cm") ? 50.0f
+                                                 : 5.0f;
+  const Screen screen(order.camera, order.page.sizeMm);
+  const float drawn = screen.place({length, 30.0f, 0.0f})->x - screen.place({0.0f, 30.0f, 0.0f})->x;
+  QVERIFY2(std::abs(drawn - float(width)) < 0.01f * drawn, qPrintable(text));
+  // From behind one sees no face.
+  order.camera.eye = {0.0f, 300.0f, 0.0f};
+  QVERIFY(barOf().first.endsWith("at mid-depth"));
 }
 
 void MarksTest::theViewsNameIsTrue_data() {

@@ -132,13 +132,16 @@ class PageQuizTest : public QObject {
     QTest::addColumn<QStringList>("right");
     QTest::addColumn<QStringList>("wrong");
     QTest::newRow("artery beside its vein")
-        << 0
-        << QStringList{"left common iliac artery", "A. iliaca communis sinistra",
-                       "a iliaca communis sinistra", "Arteria iliaca communis sinistra",
-                       "left common iliac a."}
-        << QStringList{"left common iliac",           "iliaca communis sinistra",
-                       "A. iliaca communis",          "common iliac artery",
-                       "V. iliaca communis sinistra", "A. iliaca communis dextra"};
+        << 0 << QStringList{"left common iliac artery",   "A. iliaca communis sinistra",
+                            "a iliaca communis sinistra", "Arteria iliaca communis sinistra",
+                            "left common iliac a.",       "A. iliaca comm. sin.",
+                            "A. iliaca communis sin.",    "linke A. iliaca communis",
+                            "li. A. iliaca communis",     "l. common iliac artery"}
+        << QStringList{
+               "left common iliac",   "iliaca communis sinistra",    "A. iliaca communis",
+               "common iliac artery", "V. iliaca communis sinistra", "A. iliaca communis dextra",
+               "A. iliaca comm.",     "A. iliaca comm. dext.",       "rechte A. iliaca communis",
+               "A. iliaca ext. sin."};
     QTest::newRow("vein") << 1 << QStringList{"V. iliaca communis sinistra", "left common iliac v."}
                           << QStringList{"A. iliaca communis sinistra", "V. iliaca communis"};
     QTest::newRow("nerve alone") << 2
@@ -149,9 +152,10 @@ class PageQuizTest : public QObject {
                             << QStringList{"M. psoas major sinister", "left psoas major",
                                            "psoas major sinister", "left psoas major muscle"}
                             << QStringList{"psoas major", "M. psoas major dexter"};
-    QTest::newRow("label that abbreviates")
-        << 4 << QStringList{"V. cava inferior", "vena cava inferior", "inferior vena cava"}
-        << QStringList{"cava superior", "V. cava"};
+    QTest::newRow("label that abbreviates") << 4
+                                            << QStringList{"V. cava inferior", "vena cava inferior",
+                                                           "inferior vena cava", "V. cava inf."}
+                                            << QStringList{"cava superior", "V. cava"};
   }
   void abbreviations() {
     QFETCH(int, asked);
