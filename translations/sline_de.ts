@@ -1744,8 +1744,6 @@
         <translation>es beginnt nicht wie die Voxel eines Scans</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>die Datei enthält keinen solchen Teil</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>ihre Einheit ist angegeben (%1) und wurde befolgt</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>nennt die Voxel %1 eines Referenzbildes und eine Verschiebung darin, wie es Dateien mit eigenem Ursprung tun; sie wurde allein nach ihrem Ursprung platziert</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>die Dateien sind von %1 Patienten: %2</translation>
     </message>
@@ -1828,8 +1824,6 @@
         <translation>Ändere es in der Datei der Abbildung</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>ein Vergleichsblatt ist eine pdf-, svg-, png- oder tiff-Datei</translation>
     </message>
@@ -1852,6 +1846,18 @@
     <message>
         <source>the files of this folder are read as %1, unlike others: %2</source>
         <translation>die Dateien dieses Ordners werden anders als andere als %1 gelesen: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
     </message>
 </context>
 <context>
@@ -5690,21 +5696,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>oder</translation>
-        <source>what is open</source>
-        <translation>was offen ist</translation>
-        <source>the legend</source>
-        <translation>die Legende</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>den Text der Ansicht</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>das, wonach sich Γ richtet</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Das Bild endet %1 mm über seinem Fuß, weil für das, was dort steht, sonst kein Platz ist.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Wählen Sie eine Ansicht, die Platz lässt, oder lassen Sie Text oder Quellen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>oder</translation>
     </message>
 </context>
 <context>

@@ -1744,8 +1744,6 @@
         <translation>det begynner ikke som voxlene i en skanning</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>filen inneholder ingen slik del</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>enheten er oppgitt (%1) og ble fulgt</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>nevner vokslene %1 av et referansebilde og en forskyvning i det, slik filer med eget origo gjør; den ble plassert etter sitt origo alene</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>filene er av %1 pasienter: %2</translation>
     </message>
@@ -1828,8 +1824,6 @@
         <translation>Endre det i figurens fil</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>et sammenligningsark er en pdf-, svg-, png- eller tiff-fil</translation>
     </message>
@@ -1852,6 +1846,18 @@
     <message>
         <source>the files of this folder are read as %1, unlike others: %2</source>
         <translation>filene i denne mappen leses annerledes enn andre, som %1: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
     </message>
 </context>
 <context>
@@ -5690,21 +5696,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>eller</translation>
-        <source>what is open</source>
-        <translation>det som er åpent</translation>
-        <source>the legend</source>
-        <translation>tegnforklaringen</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>visningens tekst</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>det Γ følger</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Bildet slutter %1 mm over sin nedre kant, fordi det som står der, ikke har annen plass.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Velg en visning som gir plass, eller utelat tekst eller kilder.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>det som er åpent</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>eller</translation>
     </message>
 </context>
 <context>

@@ -1744,8 +1744,6 @@
         <translation>het begint niet zoals de voxels van een scan</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>het bestand bevat geen zo’n onderdeel</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>de eenheid is opgegeven (%1) en werd gevolgd</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>noemt de voxels %1 van een referentiebeeld en een verschuiving daarin, zoals bestanden met een eigen oorsprong doen; het werd alleen op zijn oorsprong geplaatst</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>de bestanden zijn van %1 patiënten: %2</translation>
     </message>
@@ -1828,8 +1824,6 @@
         <translation>Verander het in het bestand van de figuur</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>een vergelijkingsblad is een pdf-, svg-, png- of tiff-bestand</translation>
     </message>
@@ -1852,6 +1846,18 @@
     <message>
         <source>the files of this folder are read as %1, unlike others: %2</source>
         <translation>de bestanden van deze map worden anders dan andere als %1 gelezen: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
     </message>
 </context>
 <context>
@@ -5690,21 +5696,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>of</translation>
-        <source>what is open</source>
-        <translation>wat open is</translation>
-        <source>the legend</source>
-        <translation>de legenda</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>de tekst van het aanzicht</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>wat Γ volgt</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Het beeld eindigt %1 mm boven zijn onderrand, omdat wat daar staat geen andere plaats heeft.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Kies een aanzicht dat ruimte laat, of laat tekst of bronnen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>wat open is</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>of</translation>
     </message>
 </context>
 <context>

@@ -86,6 +86,9 @@ class SeenMap {
   SeenArea drawnArea() const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
+  /// Tells whether a dot at that place of its surface lies on the structure as one sees it, and not
+  /// for the most part on what is beside or before it.
+  bool showsDot(model::NodeId structure, const glm::vec3& p) const;
 
  private:
   /// One layer in one cell.
