@@ -1731,6 +1731,10 @@
         <source>the file holds no such mesh</source>
         <translation>die Datei enthält kein solches Netz</translation>
     </message>
+    <message>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in Namen weggelassene Wörter, die nicht zur Anatomie gehören, aber der Name einer Person sein können; betroffene Namen: %1</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7678,6 +7682,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Namen von Dateien, Ordnern und dem, was in ihnen ist, bleiben ganz; sonst entfallen Wörter, die nicht zur Anatomie gehören, denn sie können der Name einer Person sein</translation>
+    </message>
+    <message>
+        <source>Kee&amp;p names</source>
+        <translation>Namen be&amp;halten</translation>
     </message>
 </context>
 <context>

@@ -1731,6 +1731,10 @@
         <source>the file holds no such mesh</source>
         <translation>filen inneholder ikke noe slikt nett</translation>
     </message>
+    <message>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>i navn utelatte ord som ikke hører til anatomien, men kan være navnet på en person; antall navn: %1</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7678,6 +7682,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Navn på filer, mapper og det som er i dem, forblir hele; ellers utelates ord som ikke hører til anatomien, for de kan være navnet på en person</translation>
+    </message>
+    <message>
+        <source>Kee&amp;p names</source>
+        <translation>Behold na&amp;vn</translation>
     </message>
 </context>
 <context>

@@ -1731,6 +1731,10 @@
         <source>the file holds no such mesh</source>
         <translation>het bestand bevat geen zo’n net</translation>
     </message>
+    <message>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in namen weggelaten woorden die niet bij de anatomie horen, maar de naam van een persoon kunnen zijn; aantal namen: %1</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7678,6 +7682,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Namen van bestanden, mappen en wat daarin zit blijven heel; anders vervallen woorden die niet bij de anatomie horen, want ze kunnen de naam van een persoon zijn</translation>
+    </message>
+    <message>
+        <source>Kee&amp;p names</source>
+        <translation>Namen &amp;behouden</translation>
     </message>
 </context>
 <context>

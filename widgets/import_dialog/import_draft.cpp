@@ -10,7 +10,8 @@ namespace {
 
 bool decidesPlaces(const model::ImportOptions& a, const model::ImportOptions& b) {
   return a.frame != b.frame || a.unit != b.unit || a.overlay != b.overlay || a.repair != b.repair ||
-         a.thresholds != b.thresholds || a.patients != b.patients;
+         a.thresholds != b.thresholds || a.patients != b.patients ||
+         a.keepFileNames != b.keepFileNames;
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ std::vector<OptionsPanel::Row> OptionsPanel::rows() {
         SwitchField{}},
        [](const auto& o) { return o.repair; },
        [](auto& o, const QVariant& on) { o.repair = on.toBool(); }},
+      {{QStringLiteral("importKeepNames"), tr("Kee&p names"),
+        tr("Names of files, folders and what is in them stay whole; else words that are no anatomy "
+           "are left out, as they may be a person's name"),
+        SwitchField{}},
+       [](const auto& o) { return o.keepFileNames; },
+       [](auto& o, const QVariant& on) { o.keepFileNames = on.toBool(); }},
       {{QStringLiteral("importOverlay"), tr("Lay molecules &over each other"), {}, SwitchField{}},
        [](const auto& o) { return o.overlay == model::Overlay::automatic; },
        [](auto& o, const QVariant& on) {
@@ -108,6 +114,7 @@ void OptionsPanel::place(QGridLayout& grid) {
   layout->addWidget(controlOf("importDecimation"));
   layout->addSpacing(12);
   layout->addWidget(controlOf("importRepair"));
+  layout->addWidget(controlOf("importKeepNames"));
   layout->addWidget(controlOf("importOverlay"));
   layout->addStretch(1);
   row(2, tr("S&moothing"), controlOf("importSmoothing"), more);

@@ -32,6 +32,8 @@ struct Part {
   std::size_t number = 0;  ///< index among all parts that were read
   std::string surface;     ///< name within its file, as partNames has it
   std::string name;
+  std::string given;     ///< the name before words were left out that may be a person's
+  bool nameCut = false;  ///< some were
   RawMesh raw;
   SurfaceMeasure measure;
   RepairReport repair;

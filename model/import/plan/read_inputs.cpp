@@ -71,8 +71,8 @@ std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const Impo
 bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions& with) const {
   return std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
          options.repair == with.repair && options.assembly == with.assembly &&
-         options.patients == with.patients && options.memoryBytes == with.memoryBytes &&
-         sameLimits(options.limits, with.limits);
+         options.patients == with.patients && options.keepFileNames == with.keepFileNames &&
+         options.memoryBytes == with.memoryBytes && sameLimits(options.limits, with.limits);
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,

@@ -38,6 +38,10 @@ class ShownNamesTest : public QObject {
         {"a1 liver", "a1 liver"},
         {"left 12", "left 12"},
         {"ct_labels_3mm", "ct_labels_3mm"},
+        {"vermis 4 5", "vermis 4 5"},
+        {"organs at risk", "organs at risk"},
+        // Three numbers are a date of birth.
+        {"liver 3 2 61", "liver 3 2"},
         // What is left of a person's name besides numbers, sides and letters is nothing.
         {"Doe_Jane", ""},
         {"DOE JANE 12 L", ""},
