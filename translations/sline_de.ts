@@ -1796,14 +1796,6 @@
         <translation>links und rechts sind bei dem, was schon da war, jetzt sicher: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>Wörter, die von einer Person sein können, wurden im Namen von %1 Struktur weggelassen, der von dem einer Datei kommt</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>Wörter, die von einer Person sein können, wurden in den Namen von %1 Strukturen weggelassen, die von denen von Dateien kommen</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>ist ein Scan und kein Labelvolumen: %1</translation>
     </message>
@@ -1858,6 +1850,8 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>die Datei enthält keinen solchen Teil</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in Namen weggelassene Wörter, die nicht zur Anatomie gehören, aber der Name einer Person sein können; betroffene Namen: %1</translation>
     </message>
 </context>
 <context>
@@ -7987,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>Namen von Dateien &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Dateien heißen oft nach Patienten: Von ihren Namen und denen von Ordnern werden nur Wörter der Anatomie und des Programms zu Namen von Strukturen und Gruppen, und der Rest ist nicht in der Szene, außer wenn dies an ist</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Namen be&amp;halten</translation>
     </message>
 </context>
 <context>

@@ -1796,14 +1796,6 @@
         <translation>venstre og høyre i det som allerede var der, er nå sikre: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>ord som kan være en persons, ble utelatt fra navnet på %1 struktur, som kommer fra en fils</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>ord som kan være en persons, ble utelatt fra navnene på %1 strukturer, som kommer fra filers</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>er en skanning og ikke et etikettvolum: %1</translation>
     </message>
@@ -1858,6 +1850,8 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>filen inneholder ingen slik del</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>i navn utelatte ord som ikke hører til anatomien, men kan være navnet på en person; antall navn: %1</translation>
     </message>
 </context>
 <context>
@@ -7987,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>&amp;Behold filnavn</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Filer heter ofte etter pasienter: av navnene deres og mappenes blir bare ord fra anatomien og programmet navn på strukturer og grupper, og resten er ikke i scenen, med mindre dette er på</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Behold na&amp;vn</translation>
     </message>
 </context>
 <context>

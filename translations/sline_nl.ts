@@ -1796,14 +1796,6 @@
         <translation>links en rechts van wat er al was, zijn nu zeker: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de naam van %1 structuur, die van een bestand komt</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de namen van %1 structuren, die van bestanden komen</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>is een scan en geen labelvolume: %1</translation>
     </message>
@@ -1858,6 +1850,8 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>het bestand bevat geen zo’n onderdeel</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in namen weggelaten woorden die niet bij de anatomie horen, maar de naam van een persoon kunnen zijn; aantal namen: %1</translation>
     </message>
 </context>
 <context>
@@ -7987,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>Namen van bestanden be&amp;houden</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Bestanden heten vaak naar patiënten: van hun namen en die van mappen worden alleen woorden van de anatomie en van het programma namen van structuren en groepen, en de rest staat niet in de scène, tenzij dit aan is</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Namen &amp;behouden</translation>
     </message>
 </context>
 <context>

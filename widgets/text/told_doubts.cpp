@@ -81,12 +81,6 @@ constexpr const char* doubtRows[] = {
     QT_TRANSLATE_NOOP("Told", "it came from more than %1 studies"),
     QT_TRANSLATE_NOOP("Told", "what was there already is read as %1 now: %2"),
     QT_TRANSLATE_NOOP("Told", "left and right of what was there already are certain now: %1"),
-    QT_TRANSLATE_NOOP("Told",
-                      "words that may be a person's were left out of %1 structure's name, which "
-                      "come from those of files"),
-    QT_TRANSLATE_NOOP("Told",
-                      "words that may be a person's were left out of %1 structures' names, which "
-                      "come from those of files"),
     QT_TRANSLATE_NOOP("Told", "is a scan rather than a label volume: %1"),
     QT_TRANSLATE_NOOP("Told",
                       "Give a threshold that makes a structure of it, or choose the segmentation "

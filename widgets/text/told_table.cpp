@@ -238,6 +238,9 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "structures from several files of this name are in the scene"),
     QT_TRANSLATE_NOOP("Told", "no structure of the scene came from these of its surfaces: %1"),
     QT_TRANSLATE_NOOP("Told", "it holds no surface %1 any more"),
+    QT_TRANSLATE_NOOP("Told",
+                      "words that are no anatomy, but may be a person's name, were left out of "
+                      "names: %1"),
     QT_TRANSLATE_NOOP("Told", "it has no face with area any more"),
     QT_TRANSLATE_NOOP("Told", "chosen by the user"),
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),
