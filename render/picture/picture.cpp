@@ -127,7 +127,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.prepared = shown.cached;
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node, hulls);
+      shown.pattern = cutPattern(scene, node, &hulls);
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
     }
   }

@@ -145,14 +145,18 @@ bool Hulls::isAroundOthers(const model::MeshPtr& mesh) {
   return place->second;
 }
 
-model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node, Hulls& hulls) {
+model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node, Hulls* hulls) {
   static const model::CutPatternTable table;
   for (const model::Node* at = &node; at; at = scene.find(at->parent))
     if (const auto pattern = table.match(at->name)) {
       const bool fatOfGroup = at != &node && *pattern == model::CutPattern::cells;
       return fatOfGroup ? model::CutPattern::rim : *pattern;
     }
-  return hulls.isAroundOthers(node.mesh) ? model::CutPattern::blank : model::CutPattern::plain;
+  Hulls own;
+  if (!hulls)
+    own.take(scene);
+  return (hulls ? *hulls : own).isAroundOthers(node.mesh) ? model::CutPattern::blank
+                                                          : model::CutPattern::plain;
 }
 
 std::vector<FacePattern> facePatterns(const DrawnStructure& shown, const PictureView& view) {

@@ -36,8 +36,10 @@ class Hulls {
 
 /// Returns how a structure's cut faces are drawn: by its own name, else by that of a group above
 /// it (resources/anatomy/tissue_patterns.tsv), but fat by its own alone. Where none of them says,
-/// plain, and blank if another structure lies within; `hulls` has taken the scene.
-model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node, Hulls& hulls);
+/// plain, and blank if another structure lies within; `hulls`, which have taken the scene, remember
+/// that.
+model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node,
+                             Hulls* hulls = nullptr);
 
 /// Returns the patterns of those of the structure's cut faces that show any.
 std::vector<FacePattern> facePatterns(const DrawnStructure& shown, const PictureView& view);

@@ -47,7 +47,7 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
         .cut = nullptr};
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node, surfaces.hulls());
+      shown.pattern = cutPattern(scene, node, &surfaces.hulls());
       shown.cut = surfaces.sections().at(shown.prepared->surface, shown.sections);
     }
     work.push_back({std::move(shown), {}, {}});

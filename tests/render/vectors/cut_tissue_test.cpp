@@ -43,12 +43,6 @@ std::size_t shapesIn(const render::VectorDrawing& drawing, std::string_view laye
   return count;
 }
 
-CutPattern patternOf(const model::Scene& scene, const model::Node& node) {
-  render::Hulls hulls;
-  hulls.take(scene);
-  return render::cutPattern(scene, node, hulls);
-}
-
 /// One structure as a picture prepares it.
 struct Prepared {
   render::PreparedSurface surface;
@@ -64,7 +58,7 @@ struct Prepared {
              .sections = scene.sectionsOf(node.id)};
     shown.cut = std::make_shared<render::SectionedSurface>(
         render::sectioned(surface.surface, model::planesOf(shown.sections)));
-    shown.pattern = patternOf(scene, node);
+    shown.pattern = render::cutPattern(scene, node);
   }
   std::vector<render::FacePattern> patterns(const model::Camera& camera) const {
     return render::facePatterns(shown, {camera, shown.mesh->bounds(), 1280, 720});
@@ -107,7 +101,7 @@ void CutTissueTest::structuresHavePatterns() {
   QFETCH(int, pattern);
   const model::Scene scene =
       half(QTest::currentDataTag(), group.toStdString().c_str(), CutFaces::tissue);
-  QCOMPARE(int(patternOf(scene, scene.nodes().back())), pattern);
+  QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), pattern);
 }
 
 /// A hull whose name says nothing is not filled with what it is not; one that says what it is, is.
@@ -118,15 +112,15 @@ void CutTissueTest::hullsAreBlank() {
     model::Scene scene;
     scene.append({.name = "thing", .mesh = test::sphere(5.0f, 3)});
     scene.append({.name = name, .mesh = test::sphere(20.0f, 3)});
-    QCOMPARE(int(patternOf(scene, scene.nodes().back())), int(pattern));
-    QCOMPARE(int(patternOf(scene, scene.nodes().front())), int(CutPattern::plain));
+    QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(pattern));
+    QCOMPARE(int(render::cutPattern(scene, scene.nodes().front())), int(CutPattern::plain));
   }
   // What lies in its box, but outside of it, is not enclosed.
   model::Scene scene;
   scene.append(
       {.name = "thing", .mesh = test::moved(*test::sphere(2.0f, 3), 1.0f, {13.0f, 13.0f, 13.0f})});
   scene.append({.name = "surface 1", .mesh = test::sphere(20.0f, 3)});
-  QCOMPARE(int(patternOf(scene, scene.nodes().back())), int(CutPattern::plain));
+  QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(CutPattern::plain));
 }
 
 /// A picture in which no surface is another asks again for nothing.
