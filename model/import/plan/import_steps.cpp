@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/anatomy/body_systems.h"
+#include "model/edit/sides.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
 #include "model/import/plan/file_marks.h"
@@ -47,10 +48,25 @@ NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportO
   return ids;
 }
 
-/// Says what the files hold twice.
-void warnOfTwins(Imported& imported, const ReadInputs& read) {
-  const std::string text = twinsText(imported.scene, twinsOf(imported.scene));
-  if (!text.empty() && !read.inputs.empty())
+/// Returns the scene as it will be: with that which it is put into.
+Scene withSurroundings(const Imported& imported, const ImportOptions& options) {
+  if (!options.into)
+    return imported.scene;
+  Scene whole = imported.report.frameAnew
+                    ? withFrameAnew(*options.into, *imported.report.frameAnew).scene
+                    : *options.into;
+  append(whole, imported.scene);
+  return whole;
+}
+
+/// Says what the files hold twice, by themselves or with what was there before.
+void warnOfTwins(const Scene& whole, Imported& imported, const ReadInputs& read,
+                 const ImportOptions& options) {
+  const std::vector<Twins> twins = twinsOf(whole);
+  std::size_t known = read.scenes ? twinsOf(read.scenes->scene).size() : 0;
+  known += options.into ? twinsOf(*options.into).size() : 0;
+  const std::string text = twinsText(whole, twins);
+  if (twins.size() > known && !read.inputs.empty())
     imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
 }
 
@@ -237,10 +253,10 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   Imported imported{.report = std::move(report)};
   putScenesBefore(imported, read, options);
   imported.scene = withSurfaces(plan, std::move(parts));
-  if (!read.scenes)
-    warnOfTwins(imported, read);
+  const Scene whole = withSurroundings(imported, options);
+  warnOfTwins(whole, imported, read, options);
   warnOfSizes(imported);
-  warnOfBodies(imported.scene, imported.report);
+  warnOfBodies(whole, imported.report);
   imported.scene.setScans(std::move(scans));
   if (const Status kept = bringWithinLimits(imported); !kept.ok())
     return kept.error();

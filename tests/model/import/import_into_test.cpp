@@ -3,6 +3,7 @@
 // files that it was made of, be it open or saved; and that its patient is known by what it keeps.
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
@@ -155,6 +156,7 @@ class ImportIntoTest : public QObject {
   void asInOneFolder();
   void whatIsSettledStays();
   void nothingMovesWithoutNeed();
+  void whatComesTwiceIsTold();
   void savedScenesKnowTheirPatient_data();
   void savedScenesKnowTheirPatient();
   void scenesThatCannotBeCompared();
@@ -249,6 +251,32 @@ void ImportIntoTest::nothingMovesWithoutNeed() {
   const Scene after = withAdded(open, root / "added", &report);
   QVERIFY(!report.frameAnew);
   QVERIFY(test::named(after, "growth").mesh == test::named(open, "growth").mesh);
+}
+
+/// Two bodies in one place are told whichever comes first, once.
+void ImportIntoTest::whatComesTwiceIsTold() {
+  const QTemporaryDir folder;
+  const QStringList organs{"liver", "spleen", "spine", "left kidney", "right kidney"};
+  write(folder.filePath("open"), {organs, Frame::lps, true});
+  write(folder.filePath("added"), {organs, Frame::lps, true, {3.0f, 0.0f, 0.0f}});
+  write(folder.filePath("other"), {{"growth"}, Frame::lps, true});
+  const Path root(folder.path().toStdString());
+  const auto says = [](const ImportReport& report) {
+    return std::count_if(report.warnings.begin(), report.warnings.end(),
+                         [](const ImportWarning& w) {
+                           return w.reason.find("two versions or two bodies") != std::string::npos;
+                         });
+  };
+  const Scene open = importedFrom({root / "open"});
+  ImportReport report;
+  const Scene both = withAdded(open, root / "added", &report);
+  QCOMPARE(says(report), 1);
+  withAdded(both, root / "other", &report);
+  QCOMPARE(says(report), 0);
+  QVERIFY(writeSceneFile(root / "open.sline", {.scene = open}).ok());
+  const auto saved = importInputs(std::array{root / "open.sline", root / "added"}, unsmoothed());
+  QVERIFY(saved.ok());
+  QCOMPARE(says(saved->report), 1);
 }
 
 void ImportIntoTest::savedScenesKnowTheirPatient_data() {
