@@ -196,7 +196,9 @@ void SeenLayer::findCutFaces(const model::Scene& scene, const Screen& screen,
     }
   const bool cut = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step; });
   if (cut && !m_patternKnown) {
-    m_pattern = cutPattern(scene, *m_node);
+    Hulls hulls;
+    hulls.take(scene);
+    m_pattern = cutPattern(scene, *m_node, hulls);
     m_patternKnown = true;
   }
 }
