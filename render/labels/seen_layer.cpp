@@ -196,9 +196,7 @@ void SeenLayer::findCutFaces(const model::Scene& scene, const Screen& screen,
     }
   const bool cut = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step; });
   if (cut && !m_patternKnown) {
-    Hulls hulls;
-    hulls.take(scene);
-    m_pattern = cutPattern(scene, *m_node, hulls);
+    m_pattern = cutPattern(scene, *m_node);
     m_patternKnown = true;
   }
 }
