@@ -16,8 +16,8 @@ namespace sline::bench {
 
 namespace {
 
-Status keep(render::Picture& picture, const render::ExportOrder& order, int height,
-            const std::string& path, const render::Typesetting& typesetting) {
+Status keepPlate(render::Picture& picture, const render::ExportOrder& order, int height,
+                 const std::string& path, const render::Typesetting& typesetting) {
   const glm::vec2 size = order.page.sizeMm;
   auto image = picture.render(order.scene, order.camera,
                               {.width = int(std::lround(float(height) * size.x / size.y)),
@@ -74,10 +74,11 @@ Status countPlates(render::Picture& picture, const model::Scene& scene, const Pl
       continue;
     for (const bool ink : {false, true})
       for (std::size_t i = 0; i < product->colour.size(); ++i)
-        if (const Status kept = keep(picture, (ink ? product->ink : product->colour)[i].order, 900,
-                                     course.folder + '/' + std::to_string(index) +
-                                         (ink ? "-ink" : "-colour") + std::to_string(i) + ".png",
-                                     **typesetting);
+        if (const Status kept =
+                keepPlate(picture, (ink ? product->ink : product->colour)[i].order, 900,
+                          course.folder + '/' + std::to_string(index) + (ink ? "-ink" : "-colour") +
+                              std::to_string(i) + ".png",
+                          **typesetting);
             !kept)
           return kept.error();
   }

@@ -34,7 +34,7 @@ qint64 worked() {
 }
 
 void add(Scene& scene, const char* name, const model::MeshPtr& mesh) {
-  scene.append({.name = name, .style = {.gamma = model::Gamma::clamped(3.5f)}, .mesh = mesh});
+  scene.append({.name = name, .style = {.gamma = Gamma::clamped(3.5f)}, .mesh = mesh});
 }
 
 Camera orthographic(const glm::vec3& eye, float height) {
@@ -151,9 +151,6 @@ class ExtremeExportsTest : public QObject {
 };
 
 }  // namespace sline::test
-
-Q_DECLARE_METATYPE(sline::model::Scene)
-Q_DECLARE_METATYPE(sline::model::Camera)
 
 SLINE_TEST_WITH_GUI(sline::test::ExtremeExportsTest)
 #include "extreme_exports_test.moc"
