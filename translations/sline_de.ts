@@ -1848,10 +1848,12 @@
         <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>die Datei enthält keinen solchen Teil</translation>
         <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
         <translation>in Namen weggelassene Wörter, die nicht zur Anatomie gehören, aber der Name einer Person sein können; betroffene Namen: %1</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
     </message>
 </context>
 <context>
@@ -7983,6 +7985,10 @@ OpenGL: %3</translation>
     <message>
         <source>Kee&amp;p names</source>
         <translation>Namen be&amp;halten</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Namen von Dateien, Ordnern und dem, was in ihnen ist, bleiben ganz; sonst entfallen Wörter, die nicht zur Anatomie gehören, denn sie können der Name einer Person sein</translation>
     </message>
 </context>
 <context>

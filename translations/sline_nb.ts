@@ -1848,10 +1848,12 @@
         <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>filen inneholder ingen slik del</translation>
         <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
         <translation>i navn utelatte ord som ikke hører til anatomien, men kan være navnet på en person; antall navn: %1</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
     </message>
 </context>
 <context>
@@ -7983,6 +7985,10 @@ OpenGL: %3</translation>
     <message>
         <source>Kee&amp;p names</source>
         <translation>Behold na&amp;vn</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Navn på filer, mapper og det som er i dem, forblir hele; ellers utelates ord som ikke hører til anatomien, for de kan være navnet på en person</translation>
     </message>
 </context>
 <context>

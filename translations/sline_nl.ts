@@ -1848,10 +1848,12 @@
         <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>het bestand bevat geen zo’n onderdeel</translation>
         <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
         <translation>in namen weggelaten woorden die niet bij de anatomie horen, maar de naam van een persoon kunnen zijn; aantal namen: %1</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
     </message>
 </context>
 <context>
@@ -7983,6 +7985,10 @@ OpenGL: %3</translation>
     <message>
         <source>Kee&amp;p names</source>
         <translation>Namen &amp;behouden</translation>
+    </message>
+    <message>
+        <source>Names of files, folders and what is in them stay whole; else words that are no anatomy are left out, as they may be a person&apos;s name</source>
+        <translation>Namen van bestanden, mappen en wat daarin zit blijven heel; anders vervallen woorden die niet bij de anatomie horen, want ze kunnen de naam van een persoon zijn</translation>
     </message>
 </context>
 <context>

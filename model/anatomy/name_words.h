@@ -14,8 +14,8 @@ std::vector<std::string> wordsOf(std::string_view name);
 /// Returns the words in lower case and in the singular: "kidneyCysts" → kidney, cyst.
 std::vector<std::string> nameWords(std::string_view name);
 /// Returns the words, as `nameWords` does, of what the thing is: what its name takes away is left
-/// out, as in "liver without tumour", "no tumour", "tumour-free margin" and, as plans of radiotherapy
-/// write it, "Liver-GTV" (Mayo et al., TG-263, Int J Radiat Oncol 2018).
+/// out, as in "liver without tumour", "no tumour", "tumour-free margin" and, as plans of
+/// radiotherapy write it, "Liver-GTV" (Mayo et al., TG-263, Int J Radiat Oncol 2018).
 std::vector<std::string> affirmedWords(std::string_view name);
 /// Returns the singular of an English plural, and one spelling where anatomists mix several; the
 /// word is in lower case.

@@ -65,7 +65,7 @@ class ImportActions : public QObject {
   QPointer<ImportDialog> m_dialog;
   QAction* m_takeUnit;
   QAction* m_keepSize;
-  int m_doubted = 0;  ///< the opening whose unit is asked about; 0: none
+  int m_doubted = 0;                      ///< the opening whose unit is asked about; 0: none
   std::pair<int, std::size_t> m_offered;  ///< the opening that was offered another import, and the
                                           ///< number of its sources then
 };

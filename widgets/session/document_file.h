@@ -39,8 +39,8 @@ struct DocumentFile {
   std::shared_ptr<const std::string> thumbnail;  ///< PNG; null for none
   /// The scene as it came in or was saved last; absent if no file has it (it was recovered).
   std::optional<model::Scene> saved;
-  std::optional<model::Fingerprint> stamp;      ///< of the file as it was read or written last
-  std::optional<model::FileState> state;        ///< of the file before its stamp was taken
+  std::optional<model::Fingerprint> stamp;  ///< of the file as it was read or written last
+  std::optional<model::FileState> state;    ///< of the file before its stamp was taken
   /// Of the file, if all that it holds is in the document, as in model::SceneDocument.
   std::optional<model::Fingerprint> whole;
   std::optional<model::Recoverable> left;       ///< the journal from which it was recovered

@@ -112,8 +112,7 @@ class Viewport : public QWidget, public ViewControl {
  signals:
   void cameraChanged();
   void backgroundChanged();
-  /// Tells that another picture is on screen.
-  void pictureShown();
+  void pictureShown();  ///< another one is on screen
   /// Tells that the camera turns around this point of a structure from now on.
   void pivotChosen(const QString& structure);
   /// Asks for a menu of what can be done with the structure that is seen there, or with the picture
