@@ -1744,8 +1744,6 @@
         <translation>es beginnt nicht wie die Voxel eines Scans</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>die Datei enthält keinen solchen Teil</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>ihre Einheit ist angegeben (%1) und wurde befolgt</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>nennt die Voxel %1 eines Referenzbildes und eine Verschiebung darin, wie es Dateien mit eigenem Ursprung tun; sie wurde allein nach ihrem Ursprung platziert</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>die Dateien sind von %1 Patienten: %2</translation>
     </message>
@@ -1800,14 +1796,6 @@
         <translation>links und rechts sind bei dem, was schon da war, jetzt sicher: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>Wörter, die von einer Person sein können, wurden im Namen von %1 Struktur weggelassen, der von dem einer Datei kommt</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>Wörter, die von einer Person sein können, wurden in den Namen von %1 Strukturen weggelassen, die von denen von Dateien kommen</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>ist ein Scan und kein Labelvolumen: %1</translation>
     </message>
@@ -1828,8 +1816,6 @@
         <translation>Ändere es in der Datei der Abbildung</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>ein Vergleichsblatt ist eine pdf-, svg-, png- oder tiff-Datei</translation>
     </message>
@@ -1842,12 +1828,30 @@
         <translation>eine Tiefe von 1 Bit lässt nur Schwarz und Weiß, und die Abbildung hat Töne</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>Mache die Abbildung schwarz-weiß („black_and_white“: true) oder nimm 8 Bit</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>Mache die Abbildung schwarz-weiß oder nimm 8 Bit</translation>
     </message>
     <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Nimm weniger Punkte je Zoll, oder schließe andere Programme</translation>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>Namen von Seiten in diesem Ordner widersprechen dem Koordinatensystem der anderen, %1; es wurde genommen und ist hier nicht sicher</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>die Dateien dieses Ordners werden anders als andere als %1 gelesen: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in Namen weggelassene Wörter, die nicht zur Anatomie gehören, aber der Name einer Person sein können; betroffene Namen: %1</translation>
     </message>
 </context>
 <context>
@@ -5686,21 +5690,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>oder</translation>
-        <source>what is open</source>
-        <translation>was offen ist</translation>
-        <source>the legend</source>
-        <translation>die Legende</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>den Text der Ansicht</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>das, wonach sich Γ richtet</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Das Bild endet %1 mm über seinem Fuß, weil für das, was dort steht, sonst kein Platz ist.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Wählen Sie eine Ansicht, die Platz lässt, oder lassen Sie Text oder Quellen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>oder</translation>
     </message>
 </context>
 <context>
@@ -7969,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>Namen von Dateien &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Dateien heißen oft nach Patienten: Von ihren Namen und denen von Ordnern werden nur Wörter der Anatomie und des Programms zu Namen von Strukturen und Gruppen, und der Rest ist nicht in der Szene, außer wenn dies an ist</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Namen be&amp;halten</translation>
     </message>
 </context>
 <context>

@@ -1744,8 +1744,6 @@
         <translation>det begynner ikke som voxlene i en skanning</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>filen inneholder ingen slik del</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>enheten er oppgitt (%1) og ble fulgt</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>nevner vokslene %1 av et referansebilde og en forskyvning i det, slik filer med eget origo gjør; den ble plassert etter sitt origo alene</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>filene er av %1 pasienter: %2</translation>
     </message>
@@ -1800,14 +1796,6 @@
         <translation>venstre og høyre i det som allerede var der, er nå sikre: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>ord som kan være en persons, ble utelatt fra navnet på %1 struktur, som kommer fra en fils</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>ord som kan være en persons, ble utelatt fra navnene på %1 strukturer, som kommer fra filers</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>er en skanning og ikke et etikettvolum: %1</translation>
     </message>
@@ -1828,8 +1816,6 @@
         <translation>Endre det i figurens fil</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>et sammenligningsark er en pdf-, svg-, png- eller tiff-fil</translation>
     </message>
@@ -1842,12 +1828,30 @@
         <translation>en dybde på 1 bit gir bare svart og hvitt, og figuren har toner</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>La figuren være svart-hvit («black_and_white»: true), eller velg 8 bit</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>La figuren være svart-hvit, eller velg 8 bit</translation>
     </message>
     <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Velg færre punkter per tomme, eller lukk andre programmer</translation>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>navn på sider i denne mappen motsier koordinatsystemet til de andre, %1; det ble brukt og er ikke sikkert her</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>filene i denne mappen leses annerledes enn andre, som %1: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>i navn utelatte ord som ikke hører til anatomien, men kan være navnet på en person; antall navn: %1</translation>
     </message>
 </context>
 <context>
@@ -5686,21 +5690,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>eller</translation>
-        <source>what is open</source>
-        <translation>det som er åpent</translation>
-        <source>the legend</source>
-        <translation>tegnforklaringen</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>visningens tekst</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>det Γ følger</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Bildet slutter %1 mm over sin nedre kant, fordi det som står der, ikke har annen plass.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Velg en visning som gir plass, eller utelat tekst eller kilder.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>det som er åpent</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>eller</translation>
     </message>
 </context>
 <context>
@@ -7969,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>&amp;Behold filnavn</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Filer heter ofte etter pasienter: av navnene deres og mappenes blir bare ord fra anatomien og programmet navn på strukturer og grupper, og resten er ikke i scenen, med mindre dette er på</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Behold na&amp;vn</translation>
     </message>
 </context>
 <context>

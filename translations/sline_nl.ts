@@ -1744,8 +1744,6 @@
         <translation>het begint niet zoals de voxels van een scan</translation>
     </message>
     <message>
-        <source>there is no such member in the file</source>
-        <translation>het bestand bevat geen zo’n onderdeel</translation>
         <source>its unit is stated (%1) and was followed</source>
         <translation>de eenheid is opgegeven (%1) en werd gevolgd</translation>
     </message>
@@ -1774,8 +1772,6 @@
         <translation>noemt de voxels %1 van een referentiebeeld en een verschuiving daarin, zoals bestanden met een eigen oorsprong doen; het werd alleen op zijn oorsprong geplaatst</translation>
     </message>
     <message>
-        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
-        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
         <source>the files are of %1 patients: %2</source>
         <translation>de bestanden zijn van %1 patiënten: %2</translation>
     </message>
@@ -1800,14 +1796,6 @@
         <translation>links en rechts van wat er al was, zijn nu zeker: %1</translation>
     </message>
     <message>
-        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
-        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de naam van %1 structuur, die van een bestand komt</translation>
-    </message>
-    <message>
-        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
-        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de namen van %1 structuren, die van bestanden komen</translation>
-    </message>
-    <message>
         <source>is a scan rather than a label volume: %1</source>
         <translation>is een scan en geen labelvolume: %1</translation>
     </message>
@@ -1828,8 +1816,6 @@
         <translation>Verander het in het bestand van de figuur</translation>
     </message>
     <message>
-        <source>Save it as a scene file, and name it with its ending .sline</source>
-        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>een vergelijkingsblad is een pdf-, svg-, png- of tiff-bestand</translation>
     </message>
@@ -1842,12 +1828,30 @@
         <translation>een diepte van 1 bit laat alleen zwart en wit over, en de figuur heeft tinten</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>Maak de figuur zwart-wit (&quot;black_and_white&quot;: true), of neem 8 bits</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>Maak de figuur zwart-wit, of neem 8 bits</translation>
     </message>
     <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Neem minder punten per inch, of sluit andere programma’s</translation>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>namen van zijden in deze map spreken het assenstelsel van de andere tegen, %1; het werd genomen en is hier niet zeker</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>de bestanden van deze map worden anders dan andere als %1 gelezen: %2</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
+        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
+        <translation>in namen weggelaten woorden die niet bij de anatomie horen, maar de naam van een persoon kunnen zijn; aantal namen: %1</translation>
     </message>
 </context>
 <context>
@@ -5686,21 +5690,29 @@
         <translation>?</translation>
     </message>
     <message>
-        <source>or</source>
-        <comment>between two wishes of the filter</comment>
-        <translation>of</translation>
-        <source>what is open</source>
-        <translation>wat open is</translation>
-        <source>the legend</source>
-        <translation>de legenda</translation>
-    </message>
-    <message>
         <source>the view&apos;s text</source>
         <translation>de tekst van het aanzicht</translation>
     </message>
     <message>
         <source>what Γ follows</source>
         <translation>wat Γ volgt</translation>
+    </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Het beeld eindigt %1 mm boven zijn onderrand, omdat wat daar staat geen andere plaats heeft.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Kies een aanzicht dat ruimte laat, of laat tekst of bronnen weg.</translation>
+    </message>
+    <message>
+        <source>what is open</source>
+        <translation>wat open is</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>of</translation>
     </message>
 </context>
 <context>
@@ -7969,12 +7981,8 @@ OpenGL: %3</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>&amp;Keep names of files</source>
-        <translation>Namen van bestanden be&amp;houden</translation>
-    </message>
-    <message>
-        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
-        <translation>Bestanden heten vaak naar patiënten: van hun namen en die van mappen worden alleen woorden van de anatomie en van het programma namen van structuren en groepen, en de rest staat niet in de scène, tenzij dit aan is</translation>
+        <source>Kee&amp;p names</source>
+        <translation>Namen &amp;behouden</translation>
     </message>
 </context>
 <context>

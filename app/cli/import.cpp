@@ -95,10 +95,11 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
   addThreshold(command, flags.input);
   command.add_flag("--keep-volume", flags.input.keepScans,
                    "Keeps scans with the scene, for slices: about as large as their packed files");
-  command.add_flag("--keep-file-names", flags.input.keepFileNames,
-                   "Keeps names of files and folders whole, as names of structures and groups and "
-                   "in the scene; else only words of anatomy and of the program, as files are "
-                   "often named after patients");
+  command.add_flag(
+      "--keep-file-names", flags.input.keepFileNames,
+      "Keeps names of files and folders whole, and what files call their parts, points "
+      "and views; else only words of anatomy and of the program, as they are often "
+      "named after patients");
   command
       .add_option("--unit", flags.input.unit,
                   "How long the files' unit is, by its name or in millimetres; overrides what they "

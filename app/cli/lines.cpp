@@ -167,9 +167,12 @@ class LinesDocument {
                    const std::vector<render::CutFace>& faces) {
     const render::PictureView view(m_order.camera, surface->mesh->bounds(), m_order.size.width,
                                    m_order.size.height);
-    render::StrokeLayout layout(surface, render::longestHatchStroke / render::hatchSpacing);
-    render::Hatching hatching =
-        render::styledHatching(layout, view, {.gamma = m_order.gamma}, render::upperLeftLight);
+    render::PreparedSurface prepared;
+    prepared.surface = surface;
+    prepared.strokes = std::make_unique<render::StrokeLayout>(
+        surface, render::longestHatchStroke / render::hatchSpacing);
+    const render::DrawnStructure shown{.style = {.gamma = m_order.gamma}, .prepared = &prepared};
+    render::Hatching hatching = render::styledHatching(shown, view, render::upperLeftLight);
     render::clip(hatching, planes);
     const std::vector<bool> visible =
         render::visiblePoints(*surface, bvh, m_order.camera, hatching, faces);

@@ -29,7 +29,9 @@ constexpr std::string_view ownWords =
     "grid knot tree stem branch hull shell target passing neighbour vessel cow bunny teapot "
     "half bridge step layer slab wedge vh sbu spl pial inflated aseg aparc wmparc surf lh rh "
     "hemi binary ascii rgb total points lines all none absent gone empty whole capsule square "
-    "icosahedron octahedron solid hierarchy mouse rat rabbit pig dog sheep human adult child fetal";
+    "icosahedron octahedron dodecahedron hexahedron tetrahedron pyramid prism helix spiral solid "
+    "hierarchy level data bundle general camera slicer union point tip risk patient mouse rat "
+    "rabbit pig dog sheep human adult child fetal";
 
 /// Lists words with which anatomists tell apart what the tables name, and what plans of treatment
 /// add.
@@ -40,21 +42,24 @@ constexpr std::string_view anatomyWords =
     "fragment callus remnant residual resected resection ablation enhancing core rim healthy "
     "diseased normal benign malignant preop postop growth effusion ascites air gas plaque "
     "calcification defect scar shunt bypass fiducial marker "
-    "accessory acromial adenohypophysis afferent alar alimentary anastomosis anatomical "
-    "antebrachial antero anterolateral apex apical apicoposterior apparatus appendicular "
+    "accessory acromial adenohypophysis afferent alar alimentary anastomosis anatomical ant "
+    "antebrachial anterior antero anteroinferior anterolateral anterosuperior antlat apex apical "
+    "apicoposterior apparatus appendicular "
     "aqueous archicortex arcuate areolar arm atypical auriculotemporal axial background bare "
     "base baseline basicranial basicranium basilic bed bleeding brachium branches breves "
     "bulbar bundle callosomarginal canaliculus capillary cardinal cartilaginous catheter "
     "caudal caval cavitated cecal cell centerline centralis centreline cephalic cerebro "
-    "chamber cheek chest choroidal ciliaris circumflex circumventricular clavicular clip clot "
+    "chamber cheek chest choroidal ciliaris circulation circumflex circumventricular clavicular "
+    "clip clot "
     "cluster coli collateral commissural communicating compartment component conduit condyle "
     "connective contour corneoscleral corniculate corticomedullary cranial cricoid cruciate "
     "cubital cusp decussation diagonal diaphragmatic digital distal division dorsalis dorsum "
-    "dose edema edge eighth elasticus elbow eleventh embolism epiglottic epiphysis epiploic "
+    "dome dose edema edge eighth elasticus elbow eleventh embolism epiglottic epiphysis epiploic "
     "epithalamus epithelium esophageal ethmoidal expanded extrahepatic extrinsic eyebrow face "
     "false fascial faucial feces fiber fibers fibre fibres fibrous fimbria finger flat "
     "floating follicle foot forearm formation free frontobasal fused genicular girdle half "
-    "hand head hemiliver hemisphere hepatoduodenal heterogeneous hilum hilus horizontal "
+    "hand head hemiliver hepataduodenal hemisphere hepatoduodenal heterogeneous hilum hilus "
+    "horizontal "
     "humeral humor hyo hypothalamic hypothenar ileal ileocolic iliolumbar implant impression "
     "incisure index inferomedial inflow infrahyoid infratrochlear infundibulum innermost "
     "integumentary intercondylar interlobar intermediomedial interpeduncular intracranial "
@@ -63,18 +68,19 @@ constexpr std::string_view anatomyWords =
     "lobar lobular longi loose lutea lymphoid mandibular margin mediastinum mediobasal "
     "meshwork mesocolica mons mucoid musculophrenic musculoskeletal myocardial nasociliary "
     "neck necrosis network neural neurocranium neurohypophysis ninth nonparenchymatous "
-    "nonskeletal nose ocular oculomotor oesophageal omentalis opercular ora orbit orbital "
+    "nonskeletal nose ocular oculomotor oesophageal omentalis oper opercular ora orbit orbital "
     "osseous outflow palpebral pancreaticobiliary parasympathetic parenchyma parenchymatous "
     "patellar pectoral pedis perforating pericallosal pericardial perineum peritoneal "
-    "pneumatized polar porta portion postcommunicating posteromedial postvertebral "
+    "pneumatized polar porta portion pos postcommunicating "
+    "posteroinferior posterolateral posteromedial posterosuperior posmed postvertebral "
     "precommunicating precuneal prefrontal prevertebral profundus proximal pterygomandibular "
     "pulmopleural recurrent retroperitoneal scapular secondary sector segmental septal serous "
     "serrata sesamoid set seventh short shrunk side sixth splenial sternal sternocostal "
     "striatum structures stump subaortic subcortex subcostal subdivision subendocardial "
-    "suboccipital subscapular subsector subsegmental subsuperior sulcus superficial "
+    "suboccipital subscapular subsector subsegmental subsuperior sulcus superiomedial superficial "
     "superficialis suprahyoid suprascapular supratrochlear supreme suspensory systemic tectum "
     "temporo tenth terminal thalamogeniculate thalamoperforating thenar thoraco thoracodorsal "
-    "thorax thumb thyroepiglotticus toe trabecular tracheal tract triangular trochlea "
+    "thorax thumb thyroepiglotticus toe trabecular tracheal tract tri triangular trochlea "
     "trochlear true trunk tubercle twelfth typical upper urine uterosacral uvular variant "
     "vermian vertical viscerocranium vivo vocal wall wrist";
 
@@ -162,7 +168,8 @@ Telling tellingOf(const std::string& word, bool target) {
     return number.size() <= mostDigits ? Telling::nothing : Telling::unknown;
   // "a", and "a1" or "t12", which are parts of a figure or levels of the spine.
   const bool letter = std::all_of(word.begin() + 1, word.end(), isDigit);
-  constexpr std::array<std::string_view, 6> fillers{"to", "in", "with", "by", "from", "the"};
+  constexpr std::array<std::string_view, 11> fillers{"to", "in", "with", "by", "from",   "the",
+                                                     "at", "of", "and",  "or", "without"};
   if (std::find(fillers.begin(), fillers.end(), word) != fillers.end() ||
       (letter && word.size() <= 1 + mostDigits) || sideOfWord(word) != Side::none ||
       fromRoman(word) != 0)
@@ -197,11 +204,11 @@ std::string shownName(std::string_view name) {
     if (begin == end)
       break;
     const std::string_view piece(&*begin, std::size_t(end - begin));
-    // Several numbers may be a date of birth.
+    // Three numbers may be a date of birth.
     const bool number = std::all_of(piece.begin(), piece.end(), isDigit);
     numbers += number ? 1 : 0;
     const Telling telling = target && number && isDose(piece) ? Telling::something
-                            : number && numbers > 1           ? Telling::unknown
+                            : number && numbers > 2           ? Telling::unknown
                                                               : tellingOfPiece(piece, target);
     if (telling == Telling::unknown) {
       whole = false;

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names what is written before it is put in its place, and removes what killed writers have left of
-// that.
+// Gives what is written its place beside where it goes, and takes over what killed writers have
+// left there. No folder is listed for that, as many files may be written into a large one.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 namespace sline::model {
 
-/// Returns the path beside the file or folder under which this process writes it:
-/// ".NAME.4711.part". With a number the name is another one: ".NAME.4711-2.part".
-std::filesystem::path partBeside(const std::filesystem::path& named, int number = 0);
+/// A file or folder ".NAME.1.part" beside the one that is written, which it becomes by being
+/// renamed. The system locks it (flock) until this is destroyed or its process ends in any way: one
+/// that nobody holds was left by a writer that was killed, and the next one takes it over, empty.
+class PartBeside {
+ public:
+  enum class Kind { file, folder };
+  /// Takes the first place that no other writer holds. Absent where none can be made; the fault
+  /// says why.
+  static std::optional<PartBeside> take(const std::filesystem::path& named, Kind kind,
+                                        std::error_code& fault);
 
-/// Removes parts beside the file or folder whose writers no longer run.
-void removeLeftOvers(const std::filesystem::path& named);
+  PartBeside(PartBeside&& other) noexcept
+      : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)) {}
+  PartBeside& operator=(PartBeside&&) = delete;
+  ~PartBeside();
+
+  const std::filesystem::path& path() const { return m_path; }
+
+ private:
+  PartBeside(std::filesystem::path path, int descriptor)
+      : m_path(std::move(path)), m_descriptor(descriptor) {}
+
+  std::filesystem::path m_path;
+  int m_descriptor = -1;
+};
 
 }  // namespace sline::model

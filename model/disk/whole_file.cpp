@@ -83,16 +83,16 @@ Status writeBeside(const fs::path& named, const std::function<Status(const fs::p
     return write(named);
   const fs::path file =
       fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
-  removeLeftOvers(file);
-  const fs::path temporary = partBeside(file);
-  Status written = write(temporary);
+  const auto part = PartBeside::take(file, PartBeside::Kind::file, failure);
+  Status written = part ? write(part->path()) : notWritten(file, failure.value());
   if (written.ok())
-    written = synced(temporary, O_RDONLY);
+    written = synced(part->path(), O_RDONLY);
   if (written.ok())
-    written = renamed(temporary, file);
+    written = renamed(part->path(), file);
   if (written.ok())
     return written;
-  fs::remove(temporary, failure);
+  if (part)
+    fs::remove(part->path(), failure);
   Error error = written.error();
   error.file = named.string();
   if (fs::exists(status))

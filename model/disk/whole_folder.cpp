@@ -36,21 +36,6 @@ Status free(const fs::path& folder) {
   return Unit{};
 }
 
-/// Makes a new folder beside the wanted one. One of that name may exist already, left by a killed
-/// program whose process number is now in use again.
-Result<fs::path> folderBeside(const fs::path& folder) {
-  constexpr int most = 100;
-  for (int i = 0; i < most; ++i) {
-    const fs::path beside = partBeside(folder, i);
-    std::error_code failure;
-    if (fs::create_directory(beside, failure))
-      return beside;
-    if (failure && failure != std::errc::file_exists)
-      return notMade(folder, failure);
-  }
-  return notMade(folder, std::make_error_code(std::errc::file_exists));
-}
-
 }  // namespace
 
 Status writeFolder(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
@@ -58,20 +43,18 @@ Status writeFolder(const fs::path& named, const std::function<Status(const fs::p
   const fs::path folder = named.has_filename() ? named : named.parent_path();
   if (Status place = free(folder); !place.ok())
     return place;
-  removeLeftOvers(folder);
-  const Result<fs::path> temporary = folderBeside(folder);
-  if (!temporary.ok())
-    return temporary.error();
-  Status written = write(*temporary);
+  std::error_code failure;
+  const auto part = PartBeside::take(folder, PartBeside::Kind::folder, failure);
+  if (!part)
+    return notMade(folder, failure);
+  Status written = write(part->path());
   if (written.ok()) {
-    std::error_code failure;
-    fs::rename(*temporary, folder, failure);
+    fs::rename(part->path(), folder, failure);
     if (!failure)
       return written;
     written = notMade(folder, failure);
   }
-  std::error_code ignored;
-  fs::remove_all(*temporary, ignored);
+  fs::remove_all(part->path(), failure);
   Error error = written.error();
   error.file = folder.string();
   return error;

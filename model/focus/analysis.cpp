@@ -36,7 +36,10 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
   });
   if (stop.stop_requested())
     return std::nullopt;
-  const Surroundings surroundings(parties, question.camera);
+  std::vector<Camera> cameras(question.turn.begin(), question.turn.end());
+  if (cameras.empty() && question.camera)
+    cameras.push_back(*question.camera);
+  const Surroundings surroundings(parties, cameras);
   if (!surroundings.answerable())
     return std::nullopt;
   std::vector<Facts> facts(parties.size());

@@ -45,8 +45,8 @@ struct Relation {
   float contact = 0.0f;   ///< share of the targets' surface that it lies against
   float feeding = 0.0f;   ///< 0 … 1
   float nearness = 0.0f;  ///< 1 where it touches … 0 far off
-  /// The share of the targets that it hides from the camera or, without one, from the side where it
-  /// hides most.
+  /// The share of the targets that it hides from the camera or, without one or with several, from
+  /// the side where it hides most.
   float hides = 0.0f;
   float outside = 0.0f;  ///< 0 amid the targets … 1 where the scene ends
   float size = 0.0f;     ///< radius of its bounding sphere
@@ -60,8 +60,9 @@ struct FocusAnalysis {
 };
 
 struct FocusQuestion {
-  std::span<const NodeId> targets;  ///< structures and groups
-  std::optional<Camera> camera;     ///< absent: seen from all round
+  std::span<const NodeId> targets;    ///< structures and groups
+  std::optional<Camera> camera;       ///< absent: seen from all round
+  std::span<const Camera> turn = {};  ///< if any, seen from each of these instead
 };
 
 /// Returns the analysis; absent where stop was requested, or where nothing in focus has a surface.

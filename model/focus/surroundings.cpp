@@ -70,7 +70,7 @@ float boxDistance(const Box& a, const Box& b) {
 
 }  // namespace
 
-Surroundings::Surroundings(std::span<const Party> parties, const std::optional<Camera>& camera)
+Surroundings::Surroundings(std::span<const Party> parties, std::span<const Camera> cameras)
     : m_parties(parties) {
   double area = 0.0;
   double thickness = 0.0;
@@ -101,10 +101,10 @@ Surroundings::Surroundings(std::span<const Party> parties, const std::optional<C
     sum += glm::dvec3(sample.place);
   m_centre = glm::vec3(sum / double(m_samples.size()));
   measureExtents();
-  if (camera)
-    castFromCamera(*camera);
-  else
+  if (cameras.empty())
     castFromAllSides();
+  else
+    castFromCameras(cameras);
 }
 
 void Surroundings::castSight(std::size_t side, const SurfaceSample& sample,
@@ -127,12 +127,15 @@ void Surroundings::castFromAllSides() {
       castSight(side, sample, sides()[side], endless);
 }
 
-void Surroundings::castFromCamera(const Camera& camera) {
-  m_shown.assign(1, 0.0);
-  const bool eye = camera.projection == Projection::perspective;
-  for (const SurfaceSample& sample : m_samples)
-    castSight(0, sample, towardsEye(camera, sample.place),
-              eye ? glm::length(camera.eye - sample.place) : endless);
+void Surroundings::castFromCameras(std::span<const Camera> cameras) {
+  m_shown.assign(cameras.size(), 0.0);
+  for (std::size_t side = 0; side < cameras.size(); ++side) {
+    const Camera& camera = cameras[side];
+    const bool eye = camera.projection == Projection::perspective;
+    for (const SurfaceSample& sample : m_samples)
+      castSight(side, sample, towardsEye(camera, sample.place),
+                eye ? glm::length(camera.eye - sample.place) : endless);
+  }
 }
 
 void Surroundings::measureExtents() {

@@ -36,7 +36,7 @@ class Surroundings {
  public:
   /// Samples the targets and their lines of sight. The parties must outlive the object. Without a
   /// camera the targets are looked at from all round.
-  Surroundings(std::span<const Party> parties, const std::optional<Camera>& camera);
+  Surroundings(std::span<const Party> parties, std::span<const Camera> cameras);
 
   /// Returns false where sections leave nothing of the targets, or there are none.
   bool answerable() const { return !m_samples.empty(); }
@@ -62,7 +62,7 @@ class Surroundings {
   /// than `farthest`.
   float distanceTo(const glm::vec3& place, float farthest) const;
   void castFromAllSides();
-  void castFromCamera(const Camera& camera);
+  void castFromCameras(std::span<const Camera> cameras);
   void castSight(std::size_t side, const SurfaceSample& sample, const glm::vec3& direction,
                  float farthest);
   void measureExtents();

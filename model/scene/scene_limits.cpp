@@ -277,8 +277,7 @@ void flatten(std::vector<Node>& nodes, Mender& mender) {
   });
 }
 
-void mendAnnotations(Scene& scene, Mender& mender) {
-  std::vector<Annotation> annotations = scene.annotations();
+void mendAnnotations(const Scene& scene, std::vector<Annotation>& annotations, Mender& mender) {
   for (Annotation& annotation : annotations) {
     mender.at("label", annotation.text);
     mender.wording(annotation.text, annotation.texts, "the text");
@@ -298,12 +297,9 @@ void mendAnnotations(Scene& scene, Mender& mender) {
     mender.tell(fault.value_or("another label has the same id"), leftOut);
     return true;
   });
-  if (annotations != scene.annotations())
-    scene.setAnnotations(std::move(annotations));
 }
 
-void mendScans(Scene& scene, Mender& mender) {
-  std::vector<Scan> scans = scene.scans();
+void mendScans(std::vector<Scan>& scans, Mender& mender) {
   for (Scan& scan : scans) {
     mender.at("scan", scan.name);
     mender.text(scan.name, "the name", longestSceneName);
@@ -319,12 +315,9 @@ void mendScans(Scene& scene, Mender& mender) {
       mender.tell(fault, leftOut);
     return !fault.empty();
   });
-  if (scans != scene.scans())
-    scene.setScans(std::move(scans));
 }
 
-void mendViews(Scene& scene, Mender& mender) {
-  std::vector<View> views = scene.views();
+void mendViews(std::vector<View>& views, Mender& mender) {
   for (View& view : views)
     mender.view(view);
   std::erase_if(views, [&mender](const View& view) {
@@ -334,12 +327,16 @@ void mendViews(Scene& scene, Mender& mender) {
     mender.tell(cameraFault(view.camera).value_or("a number of its camera is not finite"), leftOut);
     return true;
   });
-  if (views != scene.views())
-    scene.setViews(std::move(views));
 }
 
-void mendTraces(Scene& scene, Mender& mender) {
-  std::vector<SourceTrace> traces = scene.traces();
+/// Tells whether both have the same structures and groups in the same places.
+bool haveSameTree(const std::vector<Node>& a, const std::vector<Node>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Node& one, const Node& other) {
+    return one.id == other.id && one.parent == other.parent && one.mesh == other.mesh;
+  });
+}
+
+void mendTraces(std::vector<SourceTrace>& traces, Mender& mender) {
   std::erase_if(traces, [&mender](const SourceTrace& trace) {
     if (const auto fault = traceFault(trace))
       mender.tell(*fault, leftOut);
@@ -350,8 +347,6 @@ void mendTraces(Scene& scene, Mender& mender) {
                 "the rest was left out");
     traces.resize(mostSourceTraces);
   }
-  if (traces != scene.traces())
-    scene.setTraces(std::move(traces));
 }
 
 /// Returns what there are too many of.
@@ -394,8 +389,14 @@ Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
   mender.sections(sections);
   if (sections != scene.sections())
     scene.setSections(std::move(sections));
-  mendAnnotations(scene, mender);
-  mendViews(scene, mender);
+  std::vector<Annotation> annotations = scene.annotations();
+  mendAnnotations(scene, annotations, mender);
+  if (annotations != scene.annotations())
+    scene.setAnnotations(std::move(annotations));
+  std::vector<View> views = scene.views();
+  mendViews(views, mender);
+  if (views != scene.views())
+    scene.setViews(std::move(views));
   mender.atAll();
   Focus focus = scene.focus();
   mender.focus(focus);
@@ -405,17 +406,50 @@ Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
     mender.tell(*lightFault(*scene.keyLight()), leftOut);
     scene.setKeyLight(std::nullopt);
   }
-  mendScans(scene, mender);
+  std::vector<Scan> scans = scene.scans();
+  mendScans(scans, mender);
+  if (scans != scene.scans())
+    scene.setScans(std::move(scans));
   mender.atAll();
-  mendTraces(scene, mender);
+  std::vector<SourceTrace> traces = scene.traces();
+  mendTraces(traces, mender);
+  if (traces != scene.traces())
+    scene.setTraces(std::move(traces));
   return Unit{};
 }
 
-std::optional<Error> limitFault(const Scene& scene) {
-  Scene copy = scene;
-  std::vector<SceneMending> mended;
-  if (Status counts = bringWithinLimits(copy, mended); !counts.ok())
+std::optional<Error> limitFault(const Scene& scene, const Scene& kept) {
+  if (const Status counts = checkCounts(scene); !counts.ok())
     return counts.error();
+  std::vector<SceneMending> mended;
+  Mender mender(mended);
+  for (std::size_t i = 0; i < scene.nodes().size(); ++i)
+    if (i >= kept.nodes().size() || scene.nodes()[i] != kept.nodes()[i]) {
+      Node copy = scene.nodes()[i];
+      mender.node(copy);
+    }
+  // Calls mend(copy) for a part of the scene that is not as it was.
+  const auto look = [](const auto& now, const auto& before, const auto& mend) {
+    if (now == before)
+      return;
+    auto copy = now;
+    mend(copy);
+  };
+  const bool sameTree = haveSameTree(scene.nodes(), kept.nodes());
+  if (!sameTree)
+    look(scene.nodes(), kept.nodes(), [&](auto& nodes) { flatten(nodes, mender); });
+  mender.atAll();
+  look(scene.sections(), kept.sections(), [&](auto& all) { mender.sections(all); });
+  look(scene.annotations(), sameTree ? kept.annotations() : std::vector<Annotation>(),
+       [&](auto& all) { mendAnnotations(scene, all, mender); });
+  look(scene.views(), kept.views(), [&](auto& all) { mendViews(all, mender); });
+  mender.atAll();
+  look(scene.focus(), kept.focus(), [&](auto& all) { mender.focus(all); });
+  if (scene.keyLight() && lightFault(*scene.keyLight()))
+    mender.tell(*lightFault(*scene.keyLight()), leftOut);
+  look(scene.scans(), kept.scans(), [&](auto& all) { mendScans(all, mender); });
+  mender.atAll();
+  look(scene.traces(), kept.traces(), [&](auto& all) { mendTraces(all, mender); });
   if (mended.empty())
     return std::nullopt;
   return Error{.where = mended.front().where,

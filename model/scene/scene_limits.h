@@ -52,7 +52,8 @@ struct SceneMending {
 /// there is more of something than a scene may hold, which no one but a person can choose from.
 Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended);
 
-/// Returns why the scene cannot be kept as it is, to refuse an edit; absent where it can.
-std::optional<Error> limitFault(const Scene& scene);
+/// Returns why the scene cannot be kept as it is, to refuse an edit; absent where it can. What is
+/// as in a scene that is known to be within the limits is not looked at again.
+std::optional<Error> limitFault(const Scene& scene, const Scene& kept = {});
 
 }  // namespace sline::model

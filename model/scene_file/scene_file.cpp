@@ -206,23 +206,6 @@ Status checkReadable(const std::string& text, const Scene& scene) {
     return Error{.where = leftOut[0].where, .reason = leftOut[0].reason, .remedy = remedy};
   return Unit{};
 }
-
-/// Removes files that killed writers of older versions have left beside the file; while the lock is
-/// held there is no other writer.
-void removeLeftovers(const fs::path& file) {
-  const std::string start = "." + file.filename().string() + ".";
-  std::error_code fault;
-  fs::directory_iterator entry(file.parent_path(), fault);
-  std::vector<fs::path> left;
-  for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
-    const std::string name = entry->path().filename().string();
-    if (name.size() > start.size() && name.starts_with(start) &&
-        name.find_first_not_of("0123456789", start.size()) == std::string::npos)
-      left.push_back(entry->path());
-  }
-  for (const fs::path& path : left)
-    fs::remove(path, fault);
-}
 }  // namespace
 
 bool isSceneFile(const fs::path& file) {
@@ -324,7 +307,6 @@ Status writeSceneFile(const FileLock& lock, const SceneDocument& document) {
     error.file = lock.file().string();
     return error;
   }
-  removeLeftovers(lock.file());
   return writeText(lock.file(), *bytes);
 }
 

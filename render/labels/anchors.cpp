@@ -153,7 +153,7 @@ class Finder {
       if (!place)
         return;
       m_choices.push_back(
-          {index, *place, !map().hides(point.structure, *m_scene.placeOf(pool[index]))});
+          {index, *place, map().showsDot(point.structure, *m_scene.placeOf(pool[index]))});
       seen = seen || m_choices.back().seen;
     };
     for (std::size_t k = 0; k < pool.size(); ++k)

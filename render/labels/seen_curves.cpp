@@ -118,7 +118,7 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
                      .outward = outward,
                      .depth = depth,
                      .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective)
-                                       : nearer(depth, outlineSteps),
+                                       : inFront(depth, outlineSteps),
                      .halfWidth = 0.5f * std::max(full, 1.0f),
                      .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * std::min(full, 1.0f)};
       if (!showsAt(point, probes, tolerance))

@@ -17,7 +17,9 @@ constexpr float faintest = 0.09f;
 constexpr float clearlyMore = 1.2f;
 // Strokes on a surface are somewhere near, more seldom just here.
 constexpr float strokesHere = 0.5f;
-constexpr float dotRadius = 0.5f;  // millimetres
+// In λ, half a millimetre on a page of the usual height: whether a leader is dashed follows from
+// the picture, not from the paper that it is put on.
+constexpr float dotRadius = 1.9f;
 // A curve may be drawn so many cells beside where it is here.
 constexpr float smoothed = 1.25f;
 
@@ -109,7 +111,7 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
             .traces = {},
             .inked = {},
             .rivals = {},
-            .radius = dotRadius / m_grid.side};
+            .radius = dotRadius * lambda() / m_grid.side};
   const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
   dots.shows.assign(cells, Dots::Shows::ground);
   dots.traces.assign(cells, false);

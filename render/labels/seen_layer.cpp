@@ -188,7 +188,8 @@ void SeenLayer::findCutFaces(const model::Scene& scene, const Screen& screen,
       if (!step)
         step = faceSteps(model::sectionArea(*m_mesh, m_planes[*kept.entered]),
                          scene.visibleBounds().size());
-      cell.depth = nearer(screen.depthKey(ray.origin + float(kept.nearest) * ray.direction), *step);
+      cell.depth =
+          inFront(screen.depthKey(ray.origin + float(kept.nearest) * ray.direction), *step);
       cell.what = SeenCell::What::cutFace;
       cell.face = std::uint8_t(*kept.entered);
       cell.facing = 1.0f;
@@ -265,11 +266,6 @@ void SeenLayer::findOutlines(float pen) {
               .outline = true,
               .ink = one.ink};
   }
-}
-
-float SeenLayer::nearer(float key, float steps) {
-  constexpr float step = 2.5e-7f;  // a few of the last digits
-  return key - step * steps * std::abs(key);
 }
 
 void SeenLayer::draw(const model::Scene& scene, const Screen& screen, const SeenGrid& grid) {

@@ -140,8 +140,6 @@ class SeenLayer {
   void findOutlines(float pen);
   void drawCurves(const StructureLines& drawn, const model::Surface& surface, const Screen& screen,
                   const PictureView& view);
-  /// Returns the depth that many steps in front of that one.
-  static float nearer(float key, float steps);
   bool showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const;
   void takeInk(const PenPoint& point, std::vector<float>& depths);
   float distanceAt(const glm::vec2& cell) const;

@@ -3,8 +3,8 @@
 // (METHOD §7, §10), as far as that follows from its style and from how its surface stands there.
 #pragma once
 
-#include "model/anatomy/cut_pattern.h"
 #include "model/scene/scene.h"
+#include "render/strokes/drawn_structure.h"
 
 namespace sline::render {
 

@@ -243,4 +243,26 @@ bool SeenMap::hides(model::NodeId structure, const glm::vec3& p) const {
   return behind || worthOf(index, near->first, near->second) <= Worth::hidden;
 }
 
+bool SeenMap::showsDot(model::NodeId structure, const glm::vec3& p) const {
+  constexpr float radius = 0.45f;  // of a dot, millimetres
+  constexpr int steps = 2;
+  constexpr float enough = 0.4f;
+  if (hides(structure, p))
+    return false;
+  const std::uint32_t index = m_index.at(structure);
+  const glm::vec2 place = *m_screen.place(p);
+  int own = 0;
+  int all = 0;
+  for (int y = -steps; y <= steps; ++y)
+    for (int x = -steps; x <= steps; ++x) {
+      if (x * x + y * y > steps * steps)
+        continue;
+      const glm::vec2 at =
+          (place + radius / float(steps) * glm::vec2(x, y) - m_grid.corner) / m_grid.side;
+      ++all;
+      own += worthOf(index, int(std::floor(at.x)), int(std::floor(at.y))) > Worth::hidden ? 1 : 0;
+    }
+  return float(own) >= enough * float(all);
+}
+
 }  // namespace sline::render

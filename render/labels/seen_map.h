@@ -86,6 +86,9 @@ class SeenMap {
   SeenArea drawnArea() const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
+  /// Tells whether a dot at that place of its surface lies on the structure as one sees it, and not
+  /// for the most part on what is beside or before it.
+  bool showsDot(model::NodeId structure, const glm::vec3& p) const;
 
  private:
   /// One layer in one cell.
@@ -103,6 +106,8 @@ class SeenMap {
   struct Candidates;
 
   const SeenLayer* layerOf(model::NodeId id) const;
+  /// λ (METHOD §4), millimetres of the output.
+  float lambda() const { return m_screen.size().y / 720.0f; }
   void compose();
   /// Marks the cells over which something else lies (Screen::covered).
   void cover();

@@ -174,9 +174,9 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
     return std::nullopt;
   const Candidates all = candidates(index->second);
   // Where a section shows the structure's inside, that is what the picture is made for.
-  constexpr float roomOnFace = 0.7f;  // millimetres
+  constexpr float roomOnFace = 2.6f;  // λ
   const auto face = deepest(all.cut, all.columns, all.rows);
-  const bool onFace = face && face->depth * m_grid.side >= roomOnFace;
+  const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda();
   if (before)
     if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
       return stays;
@@ -196,8 +196,8 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
       counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
     return nearest(counts, all.columns, room, *towards);
   };
-  constexpr float roomForDot = 1.2f;  // millimetres
-  const float enough = roomForDot / m_grid.side;
+  constexpr float roomForDot = 4.5f;  // λ
+  const float enough = roomForDot * lambda() / m_grid.side;
   if (onFace) {
     const auto spot =
         towards ? nearest(all.cut, all.columns, std::min(enough, face->depth), *towards) : face;

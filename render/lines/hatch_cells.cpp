@@ -10,10 +10,6 @@ namespace sline::render {
 namespace {
 // A share of F: surfaces nearer to the eye get no finer strokes.
 constexpr float nearest = 1e-3f;
-// The most cells that a picture looks at. A usual one looks at some hundred; but a flat side that
-// is seen along its length has cells all the way to the horizon. No level is taken of which not all
-// are.
-constexpr std::size_t mostHatchCells = 20'000;
 
 float depthOf(const ViewScale& scale, const model::Box& box) {
   float depth = std::numeric_limits<float>::infinity();
@@ -49,7 +45,8 @@ class Descent {
             m_perMm[c] = perMmAt(m_view.scale.project(bounds.centre).distanceMm - bounds.radius);
           }
     std::vector<const KeptCell*> candidates = m_layout.coarsest();
-    for (std::size_t seen = 0; !candidates.empty() && seen + candidates.size() <= mostHatchCells;) {
+    for (std::size_t seen = 0;
+         !candidates.empty() && (seen == 0 || seen + candidates.size() <= m_view.mostCells);) {
       seen += candidates.size();
       m_next.clear();
       for (const KeptCell* candidate : candidates)

@@ -72,8 +72,8 @@ class Hatcher {
 
   Hatching hatch() {
     m_layout.beginView();
-    for (const KeptCell* cell :
-         neededCells(m_layout, {m_eye, m_scale, m_frustum, m_request.spacing, m_request.twoSided}))
+    for (const KeptCell* cell : neededCells(m_layout, {m_eye, m_scale, m_frustum, m_request.spacing,
+                                                       m_request.twoSided, m_request.mostCells}))
       if (auto tile = m_layout.tile(*cell); !tile->strokes.empty())
         m_tiles.push_back({cell->cell.level, std::move(tile)});
     m_entered = m_request.entered;

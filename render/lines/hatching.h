@@ -60,6 +60,7 @@ struct HatchingRequest {
   glm::vec3 light = upperLeftLight;  ///< towards the light of form shadows, in the camera's frame
   float aspect = 16.0f / 9.0f;       ///< of the picture; strokes outside it are left out
   bool twoSided = false;             ///< see LineRequest
+  std::size_t mostCells = mostHatchCells;  ///< of the layout, to look at
 };
 
 /// Returns the strokes of everything within the picture that faces the eye, hidden or not; dots

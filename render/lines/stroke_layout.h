@@ -12,6 +12,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -25,6 +26,10 @@
 #include "render/lines/surface_walk.h"
 
 namespace sline::render {
+
+/// The most cells of a layout that are looked at for a surface. A usual picture looks at some
+/// hundred; but a flat side that is seen along its length has cells all the way to the horizon.
+inline constexpr std::size_t mostHatchCells = 20'000;
 
 /// A place on the mesh, stored in eight bytes.
 struct LaidPoint {

@@ -10,6 +10,7 @@
 #include "model/geometry/sight.h"
 #include "model/scene/camera_moves.h"
 #include "model/scene/resolved_styles.h"
+#include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -38,6 +39,7 @@ struct Found {
   Pick pick;
   Body body = Body::solid;
   float at = 0.0f;       ///< along the ray
+  float order = 0.0f;    ///< the same, but that faces of one cut lie as in pictures
   bool within = true;    ///< the middle ray meets it, not only one around
   bool outline = false;  ///< its outline passes there
 };
@@ -101,7 +103,7 @@ bool near(std::span<const model::Ray> rays, const model::Box& box) {
 
 /// Returns the place in the order of what is seen; smaller comes first, then what is nearer.
 int rank(const Found& found, float solidAt) {
-  if (found.body != Body::solid && found.outline && found.at <= solidAt)
+  if (found.body != Body::solid && found.outline && found.order <= solidAt)
     return 0;
   if (found.body == Body::solid)
     return found.within ? 1 : 3;
@@ -116,10 +118,10 @@ std::optional<Pick> seenOf(const std::vector<Found>& found) {
   float solidAt = std::numeric_limits<float>::infinity();
   for (const Found& one : found)
     if (one.body == Body::solid && one.within)
-      solidAt = std::min(solidAt, one.at);
+      solidAt = std::min(solidAt, one.order);
   const auto first =
       std::min_element(found.begin(), found.end(), [solidAt](const Found& a, const Found& b) {
-        return std::pair(rank(a, solidAt), a.at) < std::pair(rank(b, solidAt), b.at);
+        return std::pair(rank(a, solidAt), a.order) < std::pair(rank(b, solidAt), b.order);
       });
   return first == found.end() ? std::nullopt : std::optional(first->pick);
 }
@@ -204,6 +206,18 @@ class BoxSearch {
 
 }  // namespace
 
+std::optional<float> PickIndex::faceAt(const model::Scene& scene, const model::Node& node,
+                                       std::span<const model::Plane> planes,
+                                       const model::Ray& ray) {
+  if (planes.empty() || !m_trees.solid(node.mesh))
+    return std::nullopt;
+  const std::optional<model::CutHit> met = model::nearestKept(m_trees.of(node.mesh), ray, planes);
+  const std::optional<std::size_t> entered = model::keptSpan(ray, planes).entered;
+  if (!met || !met->cutFace || !entered)
+    return std::nullopt;
+  return faceSteps(model::sectionArea(*node.mesh, planes[*entered]), scene.visibleBounds().size());
+}
+
 Picks PickIndex::pick(const model::Scene& scene, std::span<const model::Ray> rays) {
   const std::lock_guard lock(m_mutex);
   std::vector<Found> found;
@@ -211,15 +225,19 @@ Picks PickIndex::pick(const model::Scene& scene, std::span<const model::Ray> ray
     const model::Node& node = *candidate.node;
     if (!near(rays, node.mesh->bounds()))
       continue;
-    auto one = Probe(m_trees.of(node.mesh), candidate.planes).at(rays, candidate.body);
+    const std::optional<float> steps = faceAt(scene, node, candidate.planes, rays.front());
+    const bool hides = steps && candidate.body != Body::veil;
+    auto one = Probe(m_trees.of(node.mesh), candidate.planes)
+                   .at(rays, hides ? Body::solid : candidate.body);
     if (!one)
       continue;
+    one->order = inFront(one->at, steps.value_or(0.0f));
     one->pick = {node.id, rays.front().origin + one->at * rays.front().direction};
     found.push_back(*one);
   }
   m_trees.keepOnly(model::meshesOf(scene));
   std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.at < b.at; });
+                   [](const Found& a, const Found& b) { return a.order < b.order; });
   Picks picks{.seen = seenOf(found), .all = {}};
   for (const Found& one : found)
     picks.all.push_back(one.pick);

@@ -41,7 +41,8 @@ class PickIndex {
   /// is solid there, whose fill hides at least 35 % of what is behind it; the nearest that is drawn
   /// by suggestive contours or more but lets more through; a solid one with its edge at the place;
   /// the nearest that is veiled or thin; the nearest that has the place within its outline.
-  /// Structures that are hidden, locked or cut away are ignored.
+  /// Structures that are hidden, locked or cut away are ignored. Cut faces are solid unless they
+  /// are thin, and of those of one cut the innermost is nearest, as in pictures.
   Picks pick(const model::Scene& scene, std::span<const model::Ray> rays);
 
   /// Describes a box of the picture; pixels as in `Pointer`.
@@ -57,6 +58,11 @@ class PickIndex {
   std::vector<model::NodeId> inBox(const model::Scene& scene, const Box& box);
 
  private:
+  /// Returns by how many steps the structure's cut face lies in front (faceSteps), if the ray meets
+  /// one.
+  std::optional<float> faceAt(const model::Scene& scene, const model::Node& node,
+                              std::span<const model::Plane> planes, const model::Ray& ray);
+
   std::mutex m_mutex;
   model::MeshTrees m_trees;  ///< of structures that a ray came near
 };

@@ -39,7 +39,8 @@ struct PreparedStructure : DrawnStructure {
   }
   bool operator==(const PreparedStructure& other) const {
     return sharesSurface(other) && style == other.style &&
-           printedHatching == other.printedHatching && pattern == other.pattern;
+           printedHatching == other.printedHatching && pattern == other.pattern &&
+           hatchCells == other.hatchCells;
   }
 };
 

@@ -91,8 +91,7 @@ void findLines(const PictureInput& input, const PreparedStructure& shown, Struct
 /// Makes of the lines what a pen draws, and adds hatching and patterns.
 void drawLines(const PictureInput& input, const PreparedStructure& shown, StructureLines& drawn) {
   if (hatches(input, shown))
-    drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light,
-                                    shown.gammaOffsets.get());
+    drawn.hatching = styledHatching(shown, input.view, input.light);
   if (shown.cut) {
     cutLines(*shown.cut, drawn);
     drawn.patterns = facePatterns(shown, input.view);

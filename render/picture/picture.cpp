@@ -11,6 +11,7 @@
 #include "render/strokes/coinciding.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
+#include "render/strokes/structure_lines.h"
 
 namespace sline::render {
 
@@ -80,6 +81,7 @@ struct Picture::Data {
   PictureOptions options;
   SurfaceCache surfaces;
   SectionCache<CappedSurface> sections;
+  Hulls hulls;
   PictureTimings timings;
   int layersDrawn = 0;
   bool givenUp = false;
@@ -108,6 +110,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
   const model::Scene& scene = sitting.scene;
   std::vector<PreparedStructure> visible;
   surfaces.prepareSmall(sitting.structures, output.unwanted);
+  hulls.take(scene);
   for (const model::VisibleStructure& structure : sitting.structures) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
@@ -124,10 +127,16 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.prepared = shown.cached;
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node);
+      shown.pattern = cutPattern(scene, node, &hulls);
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
     }
   }
+  const auto hatched =
+      std::size_t(std::count_if(visible.begin(), visible.end(), [](const PreparedStructure& shown) {
+        return showsHatching(shown.style);
+      }));
+  for (PreparedStructure& shown : visible)
+    shown.hatchCells = hatchCellsEach(hatched);
   sampleCoarsely(visible, sitting, output);
   std::vector<model::MeshPtr> meshes;
   for (const model::Node& node : scene.nodes())

@@ -7,6 +7,7 @@
 
 #include "model/anatomy/cut_pattern.h"
 #include "model/scene/scene.h"
+#include "render/lines/stroke_layout.h"
 #include "render/strokes/prepared_surface.h"
 #include "render/strokes/sectioned_surface.h"
 
@@ -22,6 +23,9 @@ struct DrawnStructure {
 
   /// How its cut faces are drawn where the section shows tissue.
   model::CutPattern pattern = model::CutPattern::plain;
+
+  /// The most cells of hatching to look at: its share of what the picture may.
+  std::size_t hatchCells = mostHatchCells;
 
   GammaOffsetsPtr gammaOffsets;  ///< null where Γ is the same all over it
 

@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 #include "model/anatomy/cut_patterns.h"
 #include "render/strokes/section_caps.h"
@@ -109,34 +110,53 @@ bool isInside(const model::Mesh& mesh, const glm::dvec3& place) {
   return crossings[0] % 2 == 1 && crossings[1] % 2 == 1;
 }
 
-/// Tells whether another structure's surface begins inside that of the structure.
-bool enclosesAnother(const model::Scene& scene, const model::Node& node) {
-  const model::Box& box = node.mesh->bounds();
-  for (const model::Node& other : scene.nodes()) {
-    if (other.isGroup() || other.id == node.id || other.mesh == node.mesh ||
-        other.mesh->triangleCount() == 0)
-      continue;
-    const model::Box& inner = other.mesh->bounds();
-    const bool within = glm::all(glm::greaterThan(inner.low, box.low)) &&
-                        glm::all(glm::lessThan(inner.high, box.high));
-    // Surfaces of one grid have corners above each other: the line passes beside these.
-    const glm::dvec3 aside = double(glm::length(box.size())) * glm::dvec3(1.37e-5, 2.11e-5, 0.0);
-    if (within && isInside(*node.mesh, glm::dvec3(other.mesh->positions().front()) + aside))
-      return true;
-  }
-  return false;
+/// Tells whether the inner surface begins inside the outer one.
+bool isWithin(const model::Mesh& inner, const model::Mesh& outer) {
+  const model::Box& box = outer.bounds();
+  const model::Box& in = inner.bounds();
+  if (inner.triangleCount() == 0 || !glm::all(glm::greaterThan(in.low, box.low)) ||
+      !glm::all(glm::lessThan(in.high, box.high)))
+    return false;
+  // Surfaces of one grid have corners above each other: the line passes beside these.
+  const glm::dvec3 aside = double(glm::length(box.size())) * glm::dvec3(1.37e-5, 2.11e-5, 0.0);
+  return isInside(outer, glm::dvec3(inner.positions().front()) + aside);
 }
 
 }  // namespace
 
-model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node) {
+void Hulls::take(const model::Scene& scene) {
+  std::vector<model::MeshPtr> meshes;
+  meshes.reserve(scene.nodes().size());
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup())
+      meshes.push_back(node.mesh);
+  if (meshes == m_meshes)
+    return;
+  m_meshes = std::move(meshes);
+  m_known.clear();
+}
+
+bool Hulls::isAroundOthers(const model::MeshPtr& mesh) {
+  const auto [place, fresh] = m_known.try_emplace(mesh);
+  if (fresh)
+    place->second = std::any_of(
+        m_meshes.begin(), m_meshes.end(),
+        [&mesh](const model::MeshPtr& other) { return other != mesh && isWithin(*other, *mesh); });
+  return place->second;
+}
+
+model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node, Hulls* hulls) {
   static const model::CutPatternTable table;
   for (const model::Node* at = &node; at; at = scene.find(at->parent))
     if (const auto pattern = table.match(at->name)) {
       const bool fatOfGroup = at != &node && *pattern == model::CutPattern::cells;
       return fatOfGroup ? model::CutPattern::rim : *pattern;
     }
-  return enclosesAnother(scene, node) ? model::CutPattern::blank : model::CutPattern::plain;
+  Hulls own;
+  if (!hulls)
+    own.take(scene);
+  return (hulls ? *hulls : own).isAroundOthers(node.mesh) ? model::CutPattern::blank
+                                                          : model::CutPattern::plain;
 }
 
 std::vector<FacePattern> facePatterns(const DrawnStructure& shown, const PictureView& view) {

@@ -90,6 +90,11 @@ float faceSteps(double area, const glm::vec3& sceneSize) {
   return float(std::round(16.0 * std::max(halvings, 0.0)));
 }
 
+float inFront(float distance, float steps) {
+  constexpr float step = 2.5e-7f;
+  return distance - step * steps * std::abs(distance);
+}
+
 bool isPaperFace(model::CutFaces faces, model::CutPattern pattern) {
   if (faces == model::CutFaces::tint)
     return pattern == model::CutPattern::rim;

@@ -33,6 +33,9 @@ glm::vec3 capDepth(const DrawnStructure& shown, const PictureView& view, std::si
 /// that a structure inside another shows on its cut face. Whoever says which of two faces of one
 /// plane is seen asks this.
 float faceSteps(double area, const glm::vec3& sceneSize);
+/// Returns the distance from the eye, or a depth that grows with it, that many steps in front of
+/// that one: each a few of the last digits of the number.
+float inFront(float distance, float steps);
 /// The steps by which the outlines of cut faces lie in front of all of them.
 inline constexpr float outlineSteps = 500.0f;
 

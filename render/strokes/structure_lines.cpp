@@ -2,6 +2,7 @@
 #include "render/strokes/structure_lines.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -186,20 +187,27 @@ LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
   return lines;
 }
 
-Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style, const glm::vec3& light,
-                        const GammaOffsets* offsets) {
+Hatching styledHatching(const DrawnStructure& shown, const PictureView& view,
+                        const glm::vec3& light) {
+  const model::ResolvedStyle& style = shown.style;
+  const GammaOffsets* offsets = shown.gammaOffsets.get();
   std::vector<float> gammas(gammaVaries(style) && offsets ? offsets->size() : 0);
   for (std::size_t v = 0; v < gammas.size(); ++v)
     gammas[v] = Gamma::clamped(style.gamma.value() + (*offsets)[v]).value();
-  return extractHatching(layout, view.camera(),
+  return extractHatching(*shown.prepared->strokes, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
                           .gammas = gammas,
                           .spacing = spacingOf(style.hatchDensity),
                           .tone = style.hatchTone.value(),
                           .light = light,
                           .aspect = view.size().x / view.size().y,
-                          .twoSided = needsTwoSides(layout.surface(), view.camera())});
+                          .twoSided = needsTwoSides(shown.surface(), view.camera()),
+                          .mostCells = shown.hatchCells});
+}
+
+std::size_t hatchCellsEach(std::size_t hatched) {
+  constexpr std::size_t mostOfPicture = 2'000'000;
+  return std::min(mostHatchCells, mostOfPicture / std::bit_ceil(std::max<std::size_t>(hatched, 1)));
 }
 
 void cutLines(const SectionedSurface& cut, StructureLines& drawn) {

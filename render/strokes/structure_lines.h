@@ -45,10 +45,14 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
                     const model::ResolvedStyle& style, const GammaOffsets* offsets = nullptr,
                     const glm::vec3& light = model::upperLeftLight);
-/// Returns the hatching that the style asks for, lit as above.
-Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style, const glm::vec3& light,
-                        const GammaOffsets* offsets = nullptr);
+/// Returns the hatching that the structure's style asks for, lit as above; its surface is ready for
+/// it.
+Hatching styledHatching(const DrawnStructure& shown, const PictureView& view,
+                        const glm::vec3& light);
+/// Returns how many cells of hatching each of so many hatched structures may have in a picture, so
+/// that however many there are it ends. Few structures are bounded each for itself, and a few more
+/// or fewer change nothing.
+std::size_t hatchCellsEach(std::size_t hatched);
 /// Ends the lines at the section planes and adds the outlines of the cut faces.
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each line enters its stage and joins lines to the strokes that a pen would draw:

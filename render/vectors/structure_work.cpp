@@ -10,7 +10,6 @@
 #include "render/lines/line_technique.h"
 #include "render/strokes/coinciding.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/vectors/crumbs.h"
 #include "render/vectors/ink_chains.h"
@@ -35,6 +34,7 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
   std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
   std::sort(structures.begin(), structures.end(),
             [](const auto& a, const auto& b) { return a.node->id < b.node->id; });
+  surfaces.hulls().take(scene);
   std::vector<StructureWork> work;
   for (const model::VisibleStructure& structure : structures) {
     const model::Node& node = *structure.node;
@@ -47,11 +47,17 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
         .cut = nullptr};
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node);
+      shown.pattern = cutPattern(scene, node, &surfaces.hulls());
       shown.cut = surfaces.sections().at(shown.prepared->surface, shown.sections);
     }
     work.push_back({std::move(shown), {}, {}});
   }
+  const auto hatched =
+      std::size_t(std::count_if(work.begin(), work.end(), [](const StructureWork& each) {
+        return showsHatching(each.shown.style);
+      }));
+  for (StructureWork& each : work)
+    each.shown.hatchCells = hatchCellsEach(hatched);
   Coinciding coinciding;
   std::vector<bool> buried(work.size());
   for (std::size_t i = 0; i < work.size(); ++i)
@@ -87,8 +93,7 @@ void findLines(StructureWork& work, const PictureView& view, const glm::vec3& li
   work.lines.lines =
       styledLines(*shown.prepared, view, shown.style, shown.gammaOffsets.get(), light);
   if (showsHatching(shown.style))
-    work.lines.hatching = styledHatching(*shown.prepared->strokes, view, shown.style, light,
-                                         shown.gammaOffsets.get());
+    work.lines.hatching = styledHatching(shown, view, light);
   if (shown.cut) {
     cutLines(*shown.cut, work.lines);
     work.lines.patterns = facePatterns(shown, view);

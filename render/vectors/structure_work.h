@@ -10,6 +10,7 @@
 
 #include "model/scene/scene.h"
 #include "render/strokes/drawn_structure.h"
+#include "render/strokes/face_patterns.h"
 #include "render/strokes/structure_lines.h"
 #include "render/vectors/visible_strokes.h"
 
@@ -20,12 +21,14 @@ class KeptSurfaces {
  public:
   PreparedSurface& of(const model::Node& node);
   SectionCache<SectionedSurface>& sections() { return m_sections; }
+  Hulls& hulls() { return m_hulls; }
   /// Forgets what the scene does not have.
   void keepOnly(const model::Scene& scene);
 
  private:
   std::map<model::MeshPtr, PreparedSurface> m_surfaces;
   SectionCache<SectionedSurface> m_sections;
+  Hulls m_hulls;
 };
 
 /// Holds one structure on its way to the page.

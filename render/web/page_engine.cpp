@@ -342,9 +342,13 @@ void PageEngine::layOutLabels(bool moving) {
 
 PageEngine::Pick PageEngine::pick(const glm::vec2& at) {
   Pick found;
-  for (const PlacedLabel& label : m_layout.labels)
-    if (label.box.contains(millimetres * at))
+  constexpr float dotReach = 1.0f;  // millimetres: a dot with the light rim around it
+  for (const PlacedLabel& label : m_layout.labels) {
+    const bool onDot = !label.hidden && !label.leader.empty() &&
+                       glm::distance(label.leader.front(), millimetres * at) <= dotReach;
+    if (onDot || label.box.contains(millimetres * at))
       found.label = label.id;
+  }
   const std::vector<model::Ray> rays = sightsAround(m_camera, at, pageSize());
   if (const Picks picks = m_index.pick(m_shown, rays); picks.seen)
     found.structure = picks.seen->id;

@@ -95,7 +95,7 @@ class PageEngine {
 
   struct Pick {
     model::NodeId structure;
-    model::AnnotationId label;
+    model::AnnotationId label;  ///< whose text is there, or the dot that is not dashed
   };
   Pick pick(const glm::vec2& at);
 

@@ -25,6 +25,7 @@
 #include "tests/bench/occlusion.h"
 #include "tests/bench/opening.h"
 #include "tests/bench/performance_page.h"
+#include "tests/bench/plates.h"
 #include "tests/bench/report.h"
 #include "tests/bench/stage.h"
 #include "tests/bench/techniques.h"
@@ -54,6 +55,7 @@ struct Options {
   std::vector<std::string> scales;
   std::string technique;
   bench::LeaderCourse leaders;
+  bench::PlateCourse plates;
   bool json = false;
   std::filesystem::path page;
   std::vector<std::string> subdivided;  ///< how often, and the file
@@ -276,8 +278,8 @@ Status runOcclusion(const Options& options) {
   return Unit{};
 }
 
-/// Prints which leaders do not end on what they name.
-Status runLeaders(const Options& options) {
+/// Prints which leaders do not end on what they name, or all that is wrong with what is written.
+Status runPlates(const Options& options) {
   auto context = render::gpu::HeadlessContext::create();
   if (!context)
     return context.error();
@@ -287,6 +289,8 @@ Status runLeaders(const Options& options) {
   const auto imported = model::importInputs(options.inputs, {});
   if (!imported)
     return imported.error();
+  if (options.plates.products > 0)
+    return bench::countPlates(**picture, imported->scene, options.plates, std::cout);
   const auto faults = bench::judgeScene(**picture, imported->scene, options.leaders, std::cout);
   return faults ? Status(Unit{}) : faults.error();
 }
@@ -347,8 +351,8 @@ std::optional<Status> runInstead(const Options& options, const glm::ivec2& size)
     return runSubdivision(options);
   if (options.drags > 0)
     return runDrags(options, size);
-  if (!options.leaders.foci.empty())
-    return runLeaders(options);
+  if (!options.leaders.foci.empty() || options.plates.products > 0)
+    return runPlates(options);
   if (options.lineGrowth >= 0)
     return runLineGrowth(options, size);
   if (!options.technique.empty())
@@ -375,6 +379,20 @@ void addLeaderOptions(CLI::App& app, bench::LeaderCourse& course) {
   app.add_option("--every", course.every, "Looks at every so many of the pictures");
   app.add_option("--height", course.height, "Of the pictures that are judged");
   app.add_option("--keep", course.folder, "Where pictures with faults go");
+}
+
+void addPlateOptions(CLI::App& app, bench::PlateCourse& course) {
+  app.add_option(
+         "--plates", course.products,
+         "Instead: make so many pictures, sheets, figures, slides and stills with "
+         "everything written in them, and count what is wrong with it, in colour and in ink")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--judge-every", course.judged,
+                 "Of every so many plates: whether leaders end on what they name")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--unruled", course.unruled,
+               "Of plates: what the rules for ink and for the foot are good for, too");
+  app.add_option("--keep-plates", course.folder, "Where plates with faults go");
 }
 
 void addOptions(CLI::App& app, Options& options) {
@@ -426,6 +444,7 @@ void addOptions(CLI::App& app, Options& options) {
          "--steady-lines also how steady they are")
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   addLeaderOptions(app, options.leaders);
+  addPlateOptions(app, options.plates);
   app.add_flag("--json", options.json, "Print JSON");
   app.add_option("--subdivided", options.subdivided,
                  "Instead: write the surface, subdivided N times, as a PLY file")

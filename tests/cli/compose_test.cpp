@@ -142,7 +142,7 @@ class ComposeTest : public QObject {
     const Finished refused =
         runSline({"compose", path("figure.json"), "-o", path("no.png"), "--bits", "1"});
     QCOMPARE(refused.code, 2);
-    QVERIFY2(refused.err.contains("black_and_white"), refused.err.constData());
+    QVERIFY2(refused.err.contains("black and white"), refused.err.constData());
     QVERIFY(!QFile::exists(path("no.png")));
   }
 

@@ -174,6 +174,8 @@ class FigureWindowTest : public QObject {
       QString name = object == "figure" ? "figure" : "panel";
       for (QString word : QString::fromLatin1(key.id).split('_'))
         name += word.replace(0, 1, word.front().toUpper());
+      if (name == "figureHeight")
+        name += "Mm";
       QVERIFY2(dialog.findChild<QWidget*>(name), qPrintable(name));
     }
     const render::ExportOrder usual = render::usualFigureOrder();
@@ -264,13 +266,13 @@ class FigureWindowTest : public QObject {
     QVERIFY(preview.stale().isEmpty());
     // Panels of 2 mm do not exist: what is shown stays, and is said to be old.
     const QImage shown = preview.picture();
-    part<QDoubleSpinBox>(dialog, "figureHeightMm").setValue(20.0);
+    part<QDoubleSpinBox>(dialog, "figureWidthMm").setValue(60.0);
     part<QDoubleSpinBox>(dialog, "figureColumns").setValue(12.0);
     QVERIFY(desk.drawn(dialog));
     QVERIFY(!problem(dialog).isEmpty());
     QCOMPARE(preview.picture(), shown);
     QVERIFY(!preview.stale().isEmpty());
-    part<QDoubleSpinBox>(dialog, "figureHeightMm").setValue(90.0);
+    part<QDoubleSpinBox>(dialog, "figureWidthMm").setValue(174.0);
     part<QDoubleSpinBox>(dialog, "figureColumns").setValue(2.0);
     QVERIFY(desk.drawn(dialog));
     QVERIFY(preview.stale().isEmpty());

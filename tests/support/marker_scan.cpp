@@ -105,7 +105,7 @@ QList<QByteArray> unescaped(const QByteArray& bytes) {
   static const QRegularExpression xml(QStringLiteral("&#([0-9]+);"));
   static const QRegularExpression octal(QStringLiteral("\\\\([0-7]{3})"));
   static const QRegularExpression hexadecimal(QStringLiteral("<([0-9a-fA-F\\s]{8,})>"));
-  static const QRegularExpression base64(QStringLiteral("([A-Za-z0-9+/\\-_]{24,}={0,2})"));
+  static const QRegularExpression base64(QStringLiteral("([A-Za-z0-9+/\\-_]{8,}={0,2})"));
   const Decode ofHexCode = [](const QString& code) {
     return QString(QChar(char16_t(code.toUInt(nullptr, 16)))).toUtf8();
   };

@@ -75,6 +75,10 @@ QString fact(const render::ExportNote& note) {
       return tr("R and L are left out: nobody knows the directions of what is drawn.");
     case Kind::textShortened:
       return tr("%n texts are shortened: %1.", nullptr, count);
+    case Kind::footCutOff:
+      return tr(
+          "The picture ends %1 mm above its foot, as what is written there has no other "
+          "room.");
     case Kind::sectionsUncut:
       return tr("%n sections cut nothing in the file, which holds whole surfaces: %1.", nullptr,
                 count);
@@ -124,6 +128,8 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Say them when the files are imported.");
     case Kind::textShortened:
       return tr("Write less, or take larger paper.");
+    case Kind::footCutOff:
+      return tr("Choose a view that leaves room, or leave words or credits out.");
     case Kind::sectionsUncut:
       return tr("Export a picture or a drawing to show the cut.");
     case Kind::noiseNotDrawn:

@@ -14,7 +14,7 @@ namespace sline::widgets {
 
 /// A field and how it is read from a figure and written into it.
 struct FigureField {
-  Field field;  ///< its id is "figure" or "panel" and the key of the figure's file: "figurePoints"
+  Field field;  ///< its id is "figure" or "panel" and the key of the figure's file: "figurePen"
   std::function<QVariant(const model::Figure&)> read;
   std::function<void(model::Figure&, const QVariant&)> write;
 };

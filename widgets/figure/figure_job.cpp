@@ -37,7 +37,7 @@ Status FigureJob::write(const Progress& progress) const {
                                      return progress(drawing + (1.0 - drawing) * share, what);
                                    });
       },
-      {.memory = "Take fewer dots per inch, or close other programs",
+      {.memory = "Take a smaller size, or close other programs",
        .library = "Export another kind of file"});
 }
 

@@ -20,6 +20,7 @@
 #include "widgets/import_dialog/plan_tree.h"
 #include "widgets/import_dialog/selection_panel.h"
 #include "widgets/import_dialog/threshold_panel.h"
+#include "widgets/session/document.h"
 #include "widgets/text/told.h"
 
 namespace sline::widgets {
@@ -33,15 +34,6 @@ QLabel* plainLabel(const char* name) {
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
-}
-
-QString nameOf(const std::vector<std::filesystem::path>& inputs) {
-  if (inputs.empty())
-    return {};
-  std::filesystem::path path = inputs.front();
-  if (!path.has_filename())
-    path = path.parent_path();
-  return QString::fromStdString(path.filename().string());
 }
 
 /// Colours the text as the window's messages are: red for failures, amber for what the user should
@@ -76,7 +68,7 @@ ImportDialog::ImportDialog(const DisplayNames& names, model::ImportPlan plan, bo
       m_keepUnit(new QPushButton(tr("The Size Is Right"))),
       m_tabs(new QTabWidget) {
   setObjectName(QStringLiteral("importDialog"));
-  setWindowTitle(tr("Import %1").arg(nameOf(plan.inputs)));
+  setWindowTitle(tr("Import %1").arg(titleOf(plan.inputs)));
   QFont bold = m_summary->font();
   bold.setBold(true);
   m_summary->setFont(bold);

@@ -67,10 +67,9 @@ std::vector<OptionsPanel::Row> OptionsPanel::rows() {
         SwitchField{}},
        [](const auto& o) { return o.repair; },
        [](auto& o, const QVariant& on) { o.repair = on.toBool(); }},
-      {{QStringLiteral("importKeepNames"), tr("&Keep names of files"),
-        tr("Files are often named after patients: of their names and folders' only words of "
-           "anatomy and of the program become names of structures and groups, and the rest is not "
-           "in the scene, unless this is on"),
+      {{QStringLiteral("importKeepNames"), tr("Kee&p names"),
+        tr("Names of files, folders and what is in them stay whole; else words that are no anatomy "
+           "are left out, as they may be a person's name"),
         SwitchField{}},
        [](const auto& o) { return o.keepFileNames; },
        [](auto& o, const QVariant& on) { o.keepFileNames = on.toBool(); }},

@@ -65,7 +65,7 @@ void Session::redo() {
 bool Session::apply(const QString& name, model::Edited edited, const QString& series) {
   if (!edited.changed)
     return false;
-  if (const std::optional<Error> fault = model::limitFault(edited.scene)) {
+  if (const std::optional<Error> fault = model::limitFault(edited.scene, sceneBeforePreview())) {
     emit failed(*fault);
     return false;
   }
@@ -103,7 +103,7 @@ void Session::preview(model::Scene scene) {
 void Session::commitPreview(const QString& name) {
   if (!m_beforePreview)
     return;
-  const std::optional<Error> fault = model::limitFault(m_document.scene);
+  const std::optional<Error> fault = model::limitFault(m_document.scene, m_beforePreview->scene);
   if (fault) {
     cancelPreview();
     emit failed(*fault);

@@ -74,15 +74,13 @@ constexpr const char* doubtRows[] = {
     QT_TRANSLATE_NOOP(
         "Told", "the files are of %1 studies, and nothing says that they are of one patient: %2"),
     QT_TRANSLATE_NOOP("Told", "Give the files of one patient, or put them together on purpose"),
+    QT_TRANSLATE_NOOP("Told",
+                      "names of sides in this folder contradict the frame of the others, %1; it "
+                      "was taken, and is not certain here"),
+    QT_TRANSLATE_NOOP("Told", "the files of this folder are read as %1, unlike others: %2"),
     QT_TRANSLATE_NOOP("Told", "it came from more than %1 studies"),
     QT_TRANSLATE_NOOP("Told", "what was there already is read as %1 now: %2"),
     QT_TRANSLATE_NOOP("Told", "left and right of what was there already are certain now: %1"),
-    QT_TRANSLATE_NOOP("Told",
-                      "words that may be a person's were left out of %1 structure's name, which "
-                      "come from those of files"),
-    QT_TRANSLATE_NOOP("Told",
-                      "words that may be a person's were left out of %1 structures' names, which "
-                      "come from those of files"),
     QT_TRANSLATE_NOOP("Told", "is a scan rather than a label volume: %1"),
     QT_TRANSLATE_NOOP("Told",
                       "Give a threshold that makes a structure of it, or choose the segmentation "

@@ -58,9 +58,7 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "a figure is a pdf, svg, png or tiff file"),
     QT_TRANSLATE_NOOP("Told",
                       "a depth of 1 bit leaves black and white alone, and the figure has tones"),
-    QT_TRANSLATE_NOOP(
-        "Told", "Let the figure be black and white (\"black_and_white\": true), or take 8 bits"),
-    QT_TRANSLATE_NOOP("Told", "Take fewer dots per inch, or close other programs"),
+    QT_TRANSLATE_NOOP("Told", "Let the figure be black and white, or take 8 bits"),
     QT_TRANSLATE_NOOP("Told", "Give the file one of these endings"),
     QT_TRANSLATE_NOOP("Told", "the sheet would have more than 20000 pixels on a side"),
     QT_TRANSLATE_NOOP("Told", "Take fewer pixels to the inch, or a smaller sheet"),
@@ -240,6 +238,9 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "structures from several files of this name are in the scene"),
     QT_TRANSLATE_NOOP("Told", "no structure of the scene came from these of its surfaces: %1"),
     QT_TRANSLATE_NOOP("Told", "it holds no surface %1 any more"),
+    QT_TRANSLATE_NOOP("Told",
+                      "words that are no anatomy, but may be a person's name, were left out of "
+                      "names: %1"),
     QT_TRANSLATE_NOOP("Told", "it has no face with area any more"),
     QT_TRANSLATE_NOOP("Told", "chosen by the user"),
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),

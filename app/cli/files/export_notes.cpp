@@ -69,6 +69,17 @@ std::string askedText(const render::ExportNote& note) {
          " no card" + names + "Take a larger page (--size-mm) or smaller letters (--label-size)";
 }
 
+/// Returns the text of a note on marks that have no room in the picture.
+std::string marksText(const render::ExportNote& note) {
+  if (note.kind == render::ExportNote::Kind::footCutOff)
+    return "the picture ends " + plain(note.detail) +
+           " mm above its foot, as what is written there has no other room. Choose a view that "
+           "leaves some, or leave words or credits out (--marks, --credits)";
+  return counted(note.names.size(), "mark", "marks") +
+         " at the picture's edge found no room: " + listed(note.names) +
+         ". Take a larger page, smaller letters (--label-size) or fewer marks (--marks)";
+}
+
 /// Returns the text of a note on a students' page.
 std::string pageText(const render::ExportNote& note) {
   if (note.kind == render::ExportNote::Kind::pageLarge)
@@ -111,8 +122,8 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::cardsWithoutRoom:
       return askedText(note);
     case Kind::marksWithoutRoom:
-      return counted(count, "mark", "marks") + " at the picture's edge found no room" + names +
-             "Take a larger page, smaller letters (--label-size) or fewer marks (--marks)";
+    case Kind::footCutOff:
+      return marksText(note);
     case Kind::legendWithoutRoom:
       return counted(count, "structure", "structures") + " found no room in the legend" + names +
              "Take a larger page or smaller letters (--label-size), or list fewer (--legend)";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/plan/file_marks.h"
 
+#include <algorithm>
 #include <cstdint>
 
+#include "model/base/letters.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/names.h"
 
@@ -26,6 +28,15 @@ std::string checksum(const std::string& text) {
 std::string fileMark(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   return name.empty() || mayBeShown(stemOf(file)) ? name : '#' + checksum(name);
+}
+
+bool isEntryFile(const std::filesystem::path& file) {
+  const std::string stem = stemOf(file);
+  const std::string id = stem.substr(0, stem.find("-assembly"));
+  constexpr std::size_t length = 4;  // a digit, then letters and digits
+  return id.size() == length && isDigit(id.front()) &&
+         std::all_of(id.begin(), id.end(), [](char c) { return isDigit(c) || isLetter(c); }) &&
+         std::any_of(id.begin(), id.end(), isLetter);
 }
 
 std::string partMark(const std::string& part) {

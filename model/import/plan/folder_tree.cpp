@@ -8,6 +8,7 @@
 
 #include "model/import/naming/names.h"
 #include "model/import/naming/part_of_table.h"
+#include "model/import/plan/file_marks.h"
 
 namespace sline::model {
 
@@ -70,24 +71,33 @@ std::string folderName(const std::filesystem::path& folder) {
   return (slash ? whole.parent_path() : whole).filename().string();
 }
 
-/// Names groups after folders and scenes, as far as their names may be shown: different ones stay
-/// apart.
+/// Names groups after folders, scenes and what these and files call them, as far as the names may
+/// be shown: different ones stay apart.
 class GroupNames {
  public:
-  explicit GroupNames(bool keepFileNames) : m_keep(keepFileNames) {}
+  explicit GroupNames(bool keepNames) : m_keep(keepNames) {}
 
-  std::string of(const std::string& folder) {
-    if (m_keep)
-      return readableName(folder);
-    const auto [known, isNew] = m_names.try_emplace(folder);
+  std::string ofFolder(const std::string& folder) { return of(readableName(folder)); }
+  /// Names the group of a molecule, which its reader calls after the file: "2src, assembly 1".
+  std::string ofEntry(const std::string& given) {
+    const std::size_t end = std::min(given.find(", assembly "), given.size());
+    const std::string entry = given.substr(0, end);
+    return (isEntryFile(entry) ? entry : of(entry, "molecule")) + given.substr(end);
+  }
+  std::string of(const std::string& given, const std::string& other = "group") {
+    if (m_keep || mayBeShown(given))
+      return given;
+    const auto [known, isNew] = m_names.try_emplace(given);
     if (!isNew)
       return known->second;
-    const std::string shown = shownFileName(folder);
-    std::string name = shown.empty() ? "group 1" : shown;
+    const std::string shown = shownFileName(given);
+    std::string name = shown.empty() ? other + " 1" : shown;
     for (int number = 2; !m_taken.insert(name).second; ++number)
-      name = (shown.empty() ? "group" : shown) + ' ' + std::to_string(number);
+      name = (shown.empty() ? other : shown) + ' ' + std::to_string(number);
     return known->second = name;
   }
+  /// Tells how many names are not whole.
+  std::size_t cut() const { return m_names.size(); }
 
  private:
   bool m_keep;
@@ -98,8 +108,8 @@ class GroupNames {
 class Builder {
  public:
   Builder(const std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table,
-          bool keepFileNames)
-      : m_parts(parts), m_sources(sources), m_table(table), m_groups(keepFileNames) {}
+          bool keepNames)
+      : m_parts(parts), m_sources(sources), m_table(table), m_groups(keepNames) {}
 
   BuiltScene build() {
     nameParts();
@@ -113,6 +123,7 @@ class Builder {
           tops.size() > 1 && !top.name.empty() && (top.groups.size() + top.parts.size() > 1);
       add(top, rootId, wrap);
     }
+    m_built.namesCut = m_groups.cut();
     return std::move(m_built);
   }
 
@@ -137,7 +148,7 @@ class Builder {
     Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
-      top.name = m_groups.of(folderName(source.path));
+      top.name = m_groups.ofFolder(folderName(source.path));
     // Folders of medical images are named after patients; the scene must not know the names.
     if (const auto kept =
             std::find_if(members.begin(), members.end(),
@@ -149,7 +160,7 @@ class Builder {
   }
 
   /// Adds molecules: each entry has a group of its own, and in it those that its reader made.
-  void addMolecules(const std::vector<std::size_t>& members, Branch& top) const {
+  void addMolecules(const std::vector<std::size_t>& members, Branch& top) {
     std::vector<Branch> entries;
     const Backbone* last = nullptr;
     for (const std::size_t part : members) {
@@ -162,7 +173,7 @@ class Builder {
         if (i > 0)
           at = &at->child(raw.groups[i]);
         else
-          at->name = raw.groups[i];
+          at->name = m_groups.ofEntry(raw.groups[i]);
       at->parts.push_back(part);
     }
     std::vector<std::string> names;
@@ -182,9 +193,10 @@ class Builder {
     std::vector<Branch> branches;
     branches.reserve(groups.size());
     for (const SlicerGroup& group : groups)
-      branches.push_back({group.name, group.style, {}, {}, std::pair(index, branches.size())});
+      branches.push_back(
+          {m_groups.of(group.name), group.style, {}, {}, std::pair(index, branches.size())});
     Branch top;
-    top.name = m_groups.of(source.path.stem().string());
+    top.name = m_groups.ofFolder(source.path.stem().string());
     for (const std::size_t part : members) {
       const auto group = source.scene->models[*fileOf(part).model].group;
       (group ? branches[*group] : top).parts.push_back(part);
@@ -215,7 +227,7 @@ class Builder {
     Branch byFolders = byPaths(members, [&](std::size_t part) {
       Path path;
       for (const std::string& folder : fileOf(part).folders)
-        path.push_back(m_groups.of(folder));
+        path.push_back(m_groups.ofFolder(folder));
       return path;
     });
     pruneTop(byFolders);
@@ -230,7 +242,10 @@ class Builder {
     if (const auto paths = readPartOfTable(folder, files)) {
       Branch byTable = byPaths(members, [&](std::size_t part) {
         const auto found = paths->find(fileOf(part).file.filename().string());
-        return found == paths->end() ? Path() : found->second;
+        Path path = found == paths->end() ? Path() : found->second;
+        for (std::string& step : path)
+          step = m_groups.of(step);
+        return path;
       });
       for (Branch& group : byTable.groups)
         if (const auto match = m_table.match(group.name))
@@ -243,11 +258,11 @@ class Builder {
     return byFileGroupsOrNames(members);
   }
 
-  Branch byFileGroupsOrNames(const std::vector<std::size_t>& members) const {
+  Branch byFileGroupsOrNames(const std::vector<std::size_t>& members) {
     Branch inFile = byPaths(members, [&](std::size_t part) {
       Path path;
       for (const std::string& group : m_parts[part].raw.groups)
-        path.push_back(nameInFile(group));
+        path.push_back(m_groups.of(nameInFile(group)));
       return path;
     });
     pruneTop(inFile);
@@ -353,8 +368,8 @@ class Builder {
 }  // namespace
 
 BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
-                      const AnatomyTable& table, bool keepFileNames) {
-  return Builder(parts, sources, table, keepFileNames).build();
+                      const AnatomyTable& table, bool keepNames) {
+  return Builder(parts, sources, table, keepNames).build();
 }
 
 }  // namespace sline::model

@@ -18,13 +18,15 @@ struct BuiltScene {
                                                                  ///< group in it
   std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
   std::map<NodeId, std::size_t> numbers;                         ///< Part::number of each structure
+  std::size_t namesCut = 0;  ///< groups from whose names words were left out
 };
 
 /// Builds the scene. A scene keeps its own groups. A folder's groups are its sub-folders, else
 /// those of a part-of table, else the systems of the body by the structures' names; loose files are
 /// grouped by systems too, or by the groups inside them. Groups that hold one group only are left
-/// out. A structure has the mesh that its part has, if any.
+/// out. Of groups' names only what may be shown is kept (model/anatomy/shown_names.h), unless
+/// `keepNames` says so. A structure has the mesh that its part has, if any.
 BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
-                      const AnatomyTable& table, bool keepFileNames);
+                      const AnatomyTable& table, bool keepNames);
 
 }  // namespace sline::model

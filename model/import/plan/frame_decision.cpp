@@ -2,6 +2,9 @@
 #include "model/import/plan/frame_decision.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
 
 #include "model/edit/sides.h"
 #include "model/import/naming/laterality.h"
@@ -75,27 +78,23 @@ class FrameDecision {
         m_assumed(assumedIn(m_around)) {}
 
   void run(ImportReport& report) {
-    bool silent = false;
+    SilentGroup all{.nodes = m_assumed};
     for (Part& part : m_parts)
       if (!isSilent(part))
         decideKnown(part);
       else
-        silent = true;
-    const bool came = !m_parts.empty();
-    const SilentFrame decided =
-        silent || (came && !m_assumed.empty()) ? silentFrame(report) : SilentFrame();
-    if (silent || decided.evidence.isSure())
+        all.parts.push_back(&part);
+    const bool silent = !all.parts.empty();
+    const bool asked = silent || (!m_parts.empty() && !m_assumed.empty());
+    if (asked)
+      m_known = knownSurfaces();
+    const SilentFrame decided = asked ? silentFrame(all, report) : SilentFrame();
+    if (silent || decided.reason != nothingTellsFrame)
       decideAround(decided, report);
     report.frame = decided.frame;
     report.frameReason = decided.reason;
-    for (Part& part : m_parts)
-      if (isSilent(part)) {
-        part.frame = decided.frame;
-        part.provenance.frameReason = decided.reason;
-        part.provenance.evidence = decided.evidence;
-        if (part.raw.onlySideOpen)
-          part.provenance.evidence.front = Evidence::known;
-      }
+    give(all, decided);
+    decideFolders(all, decided, report);
     if (!silent && !m_parts.empty()) {
       report.frame = m_parts.front().frame;
       report.frameReason = m_parts.front().provenance.frameReason;
@@ -133,6 +132,54 @@ class FrameDecision {
     }
   }
 
+  /// Surfaces that are read in one frame.
+  struct SilentGroup {
+    std::vector<Part*> parts = {};
+    std::vector<const Node*> nodes = {};  ///< of the scenes around
+  };
+
+  static void give(const SilentGroup& group, const SilentFrame& decided) {
+    for (Part* part : group.parts) {
+      part->frame = decided.frame;
+      part->provenance.frameReason = decided.reason;
+      part->provenance.evidence = decided.evidence;
+      if (part->raw.onlySideOpen)
+        part->provenance.evidence.front = Evidence::known;
+    }
+  }
+
+  /// Lets the files of each folder decide for themselves where those of others are in another
+  /// frame: most likely each folder is of one program.
+  void decideFolders(const SilentGroup& all, const SilentFrame& decided, ImportReport& report) {
+    std::map<std::filesystem::path, SilentGroup> folders;
+    for (Part* part : all.parts)
+      folders[m_sources.files[part->file].file.parent_path()].parts.push_back(part);
+    if (folders.size() < 2)
+      return;
+    const bool sure = decided.evidence.isSure();
+    for (const auto& [folder, group] : folders) {
+      ImportReport own;
+      SilentFrame apart = silentFrame(group, own);
+      const bool other = apart.frame != decided.frame;
+      if (!apart.evidence.isSure() || (sure && !other))
+        continue;
+      // Where all together are clear, names of a folder alone may be odd ones: a person decides.
+      if (sure && apart.reason.starts_with(votedFrame)) {
+        apart = decided;
+        apart.evidence = {Evidence::conflict, Evidence::conflict};
+      }
+      give(group, apart);
+      if (other)
+        report.warnings.push_back(
+            {folder.filename().string(),
+             sure && !apart.evidence.isSure()
+                 ? "names of sides in this folder contradict the frame of the others, " +
+                       frameName(decided.frame) + "; it was taken, and is not certain here"
+                 : "the files of this folder are read as " + frameName(apart.frame) +
+                       ", unlike others: " + apart.reason});
+    }
+  }
+
   /// Decides for what is there already as for what comes, where that was assumed, too.
   void decideAround(const SilentFrame& decided, ImportReport& report) const {
     if (m_assumed.empty() || m_parts.empty())
@@ -141,7 +188,7 @@ class FrameDecision {
     const FrameAnew anew{frameName(decided.frame), decided.reason, decided.evidence};
     const std::optional<SideAnswer> answer = answerBetween(now.frame, anew.frame);
     const bool same = answer == SideAnswer::right;
-    if (!answer || (same && !anew.evidence.isSure()))
+    if (!answer || (same && !isSure(anew.evidence.sides)))
       return;
     report.frameAnew = anew;
     report.notes.push_back(
@@ -163,12 +210,12 @@ class FrameDecision {
     return places;
   }
 
-  /// Returns the places of silent surfaces, and those of what was assumed of the scenes around, in
-  /// the coordinates of their files.
-  std::vector<NamedPosition> silentPlaces() const {
+  /// Returns the places of the group's surfaces in the coordinates of their files.
+  std::vector<NamedPosition> silentPlaces(const SilentGroup& group) const {
+    const std::set<const Part*> parts(group.parts.begin(), group.parts.end());
     std::vector<NamedPosition> places =
-        placesOf([this](const Part& part) { return isSilent(part); });
-    for (const Node* node : m_assumed) {
+        placesOf([&parts](const Part& part) { return parts.contains(&part); });
+    for (const Node* node : group.nodes) {
       const Box box = node->mesh->bounds();
       const FrameAxes& axes = axesOf(node->provenance.frame);
       const float unit = std::max(node->provenance.mmPerUnit, 1e-6f);
@@ -179,29 +226,34 @@ class FrameDecision {
     return places;
   }
 
-  FrameSides knownAndSilent() const {
-    FrameSides sides;
+  std::vector<LyingSurface> knownSurfaces() const {
+    std::vector<LyingSurface> known;
     for (const Part& part : m_parts)
-      if (isSilent(part))
-        sides.silent.push_back(lyingIn(part, Frame::lps, {}));
-      else if (part.frame != Frame::file)
-        sides.known.push_back(lyingIn(part, part.frame, toWorldOf(part, m_sources)));
-    for (const Node* node : m_assumed)
-      sides.silent.push_back(
-          readAgainAs(lyingIn(*node), axesOf(node->provenance.frame).frame, Frame::lps));
+      if (!isSilent(part) && part.frame != Frame::file)
+        known.push_back(lyingIn(part, part.frame, toWorldOf(part, m_sources)));
     for (const Scene* scene : m_around)
       for (const Node& node : scene->nodes())
         if (!node.isGroup() && node.provenance.frame != fileFrame &&
             node.provenance.evidence.isSure())
-          sides.known.push_back(lyingIn(node));
+          known.push_back(lyingIn(node));
+    return known;
+  }
+
+  FrameSides sidesOf(const SilentGroup& group) const {
+    FrameSides sides{.known = m_known, .silent = {}};
+    for (const Part* part : group.parts)
+      sides.silent.push_back(lyingIn(*part, Frame::lps, {}));
+    for (const Node* node : group.nodes)
+      sides.silent.push_back(
+          readAgainAs(lyingIn(*node), axesOf(node->provenance.frame).frame, Frame::lps));
     return sides;
   }
 
-  SilentFrame silentFrame(ImportReport& report) const {
-    const std::vector<NamedPosition> places = silentPlaces();
+  SilentFrame silentFrame(const SilentGroup& group, ImportReport& report) const {
+    const std::vector<NamedPosition> places = silentPlaces(group);
     const FrameVote vote = voteOnFrame(places);
     const FrontVote front = voteOnFront(places);
-    const FrameSides sides = knownAndSilent();
+    const FrameSides sides = sidesOf(group);
     const FrameFit laid = laidOverSameNames(sides, m_read);
     const FrameFit fit = fittedIn(sides);
     SilentFrame decided;
@@ -298,6 +350,7 @@ class FrameDecision {
   const ImportOptions& m_options;
   std::vector<const Scene*> m_around;
   std::vector<const Node*> m_assumed;  ///< structures of these
+  std::vector<LyingSurface> m_known;
 };
 
 }  // namespace

@@ -45,8 +45,9 @@ struct ImportOptions {
   std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
   bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
   PatientsWanted patients = PatientsWanted::one;
-  /// Files' and folders' names become names of structures and groups and stay in the scene whatever
-  /// their words; else only what may be shown to others does (model/anatomy/shown_names.h).
+  /// Files' and folders' names, and what files call their parts, points and views, become names in
+  /// the scene whatever their words; else only what may be shown to others does
+  /// (model/anatomy/shown_names.h).
   bool keepFileNames = false;
   /// The open scene that what is read is to be put into; null for none. Frames are decided and
   /// patients compared as if it had come with the files.

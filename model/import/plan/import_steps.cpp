@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/anatomy/body_systems.h"
+#include "model/edit/sides.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
 #include "model/import/plan/file_marks.h"
@@ -47,11 +48,34 @@ NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportO
   return ids;
 }
 
-/// Says what the files hold twice.
-void warnOfTwins(Imported& imported, const ReadInputs& read) {
-  const std::string text = twinsText(imported.scene, twinsOf(imported.scene));
-  if (!text.empty() && !read.inputs.empty())
+/// Returns the scene as it will be: with that which it is put into.
+Scene withSurroundings(const Imported& imported, const ImportOptions& options) {
+  if (!options.into)
+    return imported.scene;
+  Scene whole = imported.report.frameAnew
+                    ? withFrameAnew(*options.into, *imported.report.frameAnew).scene
+                    : *options.into;
+  append(whole, imported.scene);
+  return whole;
+}
+
+/// Says what the files hold twice, by themselves or with what was there before.
+void warnOfTwins(const Scene& whole, Imported& imported, const ReadInputs& read,
+                 const ImportOptions& options) {
+  const std::vector<Twins> twins = twinsOf(whole);
+  std::size_t known = read.scenes ? twinsOf(read.scenes->scene).size() : 0;
+  known += options.into ? twinsOf(*options.into).size() : 0;
+  const std::string text = twinsText(whole, twins);
+  if (twins.size() > known && !read.inputs.empty())
     imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
+}
+
+/// Says how many names are not whole.
+void tellCutNames(std::size_t count, std::vector<std::string>& notes) {
+  if (count > 0)
+    notes.push_back(
+        "words that are no anatomy, but may be a person's name, were left out of names: " +
+        std::to_string(count));
 }
 
 /// Says which structures are too small or too large for a body, of scene files too.
@@ -99,23 +123,14 @@ Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
   return left;
 }
 
-/// Keeps as checksums what may be a person's name. A part that is the structure's own name, or what
-/// somebody has called it, is no secret.
-void hideNames(Provenance& from, const std::string& structure) {
-  from.file = fileMark(from.file);
-  if (from.part != structure && !from.intensities)
-    from.part = partMark(from.part);
-}
-
-/// Says that structures have lost words of their files' names.
-void tellOfShortNames(const std::vector<Part>& parts, ImportReport& report) {
-  const auto count = std::count_if(parts.begin(), parts.end(),
-                                   [](const Part& part) { return part.nameShortened; });
-  if (count > 0)
-    report.notes.push_back("words that may be a person's were left out of " +
-                           std::to_string(count) +
-                           (count == 1 ? " structure's name" : " structures' names") +
-                           ", which come from those of files");
+/// Leaves marks in place of the names of a structure's file and of its surface there.
+void hideNames(const RawMesh& raw, Provenance& provenance) {
+  // Without a fingerprint it is no file's name; entries of the Protein Data Bank are no one's.
+  if (provenance.fingerprint && !(raw.molecule && isEntryFile(provenance.file)))
+    provenance.file = fileMark(provenance.file);
+  // Who asks for a threshold names what it makes.
+  if (!raw.molecule && !raw.threshold)
+    provenance.part = partMark(provenance.part);
 }
 
 /// Returns the plan's tree with the surfaces that came of it.
@@ -135,10 +150,8 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
     if (part != byNumber.end()) {
       node.mesh = std::move(part->second->mesh);
       node.provenance = std::move(part->second->provenance);
-      // Molecules are no one's; without a fingerprint it is no file's name.
-      const bool named = node.provenance.fingerprint && !part->second->raw.molecule;
-      if (named && !plan.options.keepFileNames)
-        hideNames(node.provenance, choice.name.value_or(node.name));
+      if (!plan.options.keepFileNames)
+        hideNames(part->second->raw, node.provenance);
       if (part->second->raw.molecule)
         node.atoms = part->second->raw.molecule->atoms;
     }
@@ -177,7 +190,6 @@ DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
   report.notes = overlayMolecules(parts, options.overlay);
   report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
   report.repairs = repairNotes(parts, read.sources);
-  tellOfShortNames(parts, report);
   decideFrames(parts, read, options, report);
   decideUnits(parts, read.sources, options, report);
   return {std::move(parts), std::move(report)};
@@ -187,8 +199,12 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                       const ImportOptions& options) {
   BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable(), options.keepFileNames);
   const auto numbers = std::move(built.numbers);
-  Imported imported{.scene = withViewsAndAnnotations(std::move(built), read.sources, options.frame),
-                    .report = decided.report};
+  const std::size_t cut =
+      built.namesCut + std::size_t(std::count_if(decided.parts.begin(), decided.parts.end(),
+                                                 [](const Part& part) { return part.nameCut; }));
+  FurnishedScene furnished = withViewsAndAnnotations(std::move(built), read.sources, options);
+  Imported imported{.scene = std::move(furnished.scene), .report = decided.report};
+  tellCutNames(cut + furnished.namesCut, imported.report.notes);
   imported.scene.setTraces(read.traces);
   const NewIds ids = putScenesBefore(imported, read, options);
   ImportPlan plan{.inputs = read.inputs,
@@ -237,10 +253,10 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   Imported imported{.report = std::move(report)};
   putScenesBefore(imported, read, options);
   imported.scene = withSurfaces(plan, std::move(parts));
-  if (!read.scenes)
-    warnOfTwins(imported, read);
+  const Scene whole = withSurroundings(imported, options);
+  warnOfTwins(whole, imported, read, options);
   warnOfSizes(imported);
-  warnOfBodies(imported.scene, imported.report);
+  warnOfBodies(whole, imported.report);
   imported.scene.setScans(std::move(scans));
   if (const Status kept = bringWithinLimits(imported); !kept.ok())
     return kept.error();

@@ -84,6 +84,7 @@ class SurfaceTwins {
         const SourceFile& source = m_sources.files[part.file];
         if (!part.name.ends_with(unnamedStructure))
           m_surfaces.insert(key(part.file, part.name));
+        m_surfaces.insert(key(part.file, part.given));
         m_silent = m_silent || (!part.raw.frame && !source.model && !source.told);
       }
   }
@@ -114,7 +115,7 @@ class SurfaceTwins {
 void leaveOutTwins(LoadedParts& loaded, const SurfaceTwins& twins, const Sources& sources) {
   std::map<std::string, std::size_t> leftOut;
   std::erase_if(loaded.parts, [&](const Part& part) {
-    const bool twin = twins.fromVolume(part.file) && twins.holdsSurface(part.file, part.name);
+    const bool twin = twins.fromVolume(part.file) && twins.holdsSurface(part.file, part.given);
     leftOut[sources.files[part.file].file.filename().string()] += twin;
     if (twin && part.raw.frame)
       loaded.twins.push_back(
@@ -159,39 +160,50 @@ std::string unnamed(std::string_view stem) {
                               : "right " + std::string(unnamedStructure);
 }
 
+/// Holds what a structure is called.
 struct PartName {
   std::string name;
-  bool shortened = false;  ///< it has not all words of the file's name
+  std::string given;  ///< before words were left out that may be a person's name
+  bool cut = false;   ///< some were
 };
 
-/// Returns the name of a part: that in its file or, where there is none, what may be shown of the
-/// file's name.
+/// Returns what of a name may be shown, or all of it.
+PartName shownOf(const std::string& name, bool whole) {
+  PartName shown{whole ? name : shownFileName(name), name};
+  shown.cut = shown.name != name;
+  return shown;
+}
+
+/// Returns the name of a part: what may be shown of that in its file or, where there is none, of
+/// the file's name. What files call their parts has been given to patients' parts, too.
 PartName partName(const RawMesh& raw, const SourceFile& source, const Sources& sources, bool only,
-                  bool keepFileNames) {
-  bool shortened = false;
+                  bool keepNames) {
   const std::filesystem::path file =
       raw.file.empty() ? source.file : std::filesystem::path(raw.file);
   const std::string stem = stemOf(file);
-  std::string name = raw.molecule ? raw.name : nameInFile(raw.name);
-  // An STL's name is its title, which programs fill with that of its file.
-  const std::string called = file.filename().string();
-  const bool titled = endsLike(called, ".stl") || endsLike(called, ".stl.gz");
-  // Volumes are called after their files, some with a part of the ending.
-  const bool ofFile = name.empty() || name == readableName(stem) || titled ||
-                      (!raw.file.empty() && called.starts_with(raw.name));
-  if (ofFile && !raw.molecule) {
-    const std::string whole = name.empty() ? readableName(stem) : name;
-    name = keepFileNames ? whole : shownFileName(whole);
-    shortened = name != whole && !mayBeShown(whole);
-    if (name.empty())
-      name = shownFileName(stem);
-    if (name.empty())
-      name = unnamed(stem);
-  }
+  if (raw.molecule && !source.model)
+    return {raw.name, raw.name};
+  std::string given = nameInFile(raw.name);
+  if (given.empty())
+    given = readableName(stem);
+  // Who asks for a threshold names what it makes.
+  PartName own = shownOf(given, keepNames || raw.threshold);
+  if (own.name.empty())
+    own.name = shownFileName(stem);
+  if (own.name.empty())
+    own.name = unnamed(sidedName(given).side == Side::none ? stem : given);
   if (!source.model)
-    return {name, shortened};
+    return own;
   const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-  return {model.segments ? name : only ? model.name : model.name + " " + name, false};
+  if (model.segments)
+    return own;
+  PartName ofScene = shownOf(model.name, keepNames);
+  if (ofScene.name.empty())
+    ofScene.name = own.name;
+  else if (!only)
+    ofScene = {ofScene.name + " " + own.name, ofScene.given + " " + own.given,
+               ofScene.cut || own.cut};
+  return ofScene;
 }
 
 /// Mends and measures; returns false where no face with area is left.
@@ -236,10 +248,11 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
     Part part;
     part.file = index;
     part.surface = names[i];
-    PartName named =
+    PartName name =
         partName(meshes[i], source, sources, meshes.size() == 1, loading.options.keepFileNames);
-    part.name = std::move(named.name);
-    part.nameShortened = named.shortened;
+    part.name = std::move(name.name);
+    part.given = std::move(name.given);
+    part.nameCut = name.cut;
     part.raw = std::move(meshes[i]);
     part.unit = part.raw.millimetresPerUnit;  // until units are decided
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;

@@ -32,6 +32,8 @@ struct Part {
   std::size_t number = 0;  ///< index among all parts that were read
   std::string surface;     ///< name within its file, as partNames has it
   std::string name;
+  std::string given;     ///< the name before words were left out that may be a person's
+  bool nameCut = false;  ///< some were
   RawMesh raw;
   SurfaceMeasure measure;
   RepairReport repair;
@@ -40,8 +42,6 @@ struct Part {
   Provenance provenance;
   MeshPtr mesh;
   PartChoice choice;
-  /// The name has lost words of its file's that may be a person's.
-  bool nameShortened = false;
 };
 
 /// Describes a structure of a label volume that was left out, because the folder holds it as a

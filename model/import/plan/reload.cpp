@@ -91,15 +91,14 @@ std::vector<Origin> originsOf(const Scene& scene) {
   return origins;
 }
 
-/// Returns the index of the file's surface that has the name.
+/// Returns the index of the file's surface that has the name or the mark (file_marks.h).
 std::optional<std::size_t> partNamed(const std::vector<std::string>& parts,
                                      const std::string& wanted) {
   if (wanted.empty())
     return parts.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
-  auto found = std::find(parts.begin(), parts.end(), wanted);
-  if (found == parts.end())
-    found = std::find_if(parts.begin(), parts.end(),
-                         [&wanted](const std::string& part) { return partMark(part) == wanted; });
+  const auto found = std::find_if(parts.begin(), parts.end(), [&wanted](const std::string& part) {
+    return part == wanted || partMark(part) == wanted;
+  });
   if (found == parts.end())
     return std::nullopt;
   return std::size_t(found - parts.begin());
@@ -303,9 +302,11 @@ class Reloader {
     const std::optional<std::size_t> k = partNamed(file.parts, wanted);
     if (!k)
       return tell(alone, Fate::failed,
-                  wanted.empty() ? "it holds " + std::to_string(file.parts.size()) +
-                                       " surfaces now, and it is not known which is meant"
-                                 : "it holds no surface \"" + wanted + "\" any more");
+                  wanted.empty()
+                      ? "it holds " + std::to_string(file.parts.size()) +
+                            " surfaces now, and it is not known which is meant"
+                      : "it holds no surface \"" + (wanted.starts_with('#') ? node.name : wanted) +
+                            "\" any more");
     taken[*k] = true;
     Provenance as = node.provenance;
     as.fingerprint = file.fingerprint;

@@ -11,12 +11,12 @@ namespace {
 
 class Furnisher {
  public:
-  Furnisher(BuiltScene built, const Sources& sources, std::optional<Frame> frame)
-      : m_built(std::move(built)), m_sources(sources), m_frame(frame) {}
+  Furnisher(BuiltScene built, const Sources& sources, const ImportOptions& options)
+      : m_built(std::move(built)), m_sources(sources), m_options(options) {}
 
-  Scene run() {
+  FurnishedScene run() {
     for (Fiducial fiducial : m_sources.fiducials) {
-      fiducial.frame = m_frame.value_or(fiducial.frame);
+      fiducial.frame = m_options.frame.value_or(fiducial.frame);
       add(fiducial);
     }
     for (std::size_t i = 0; i < m_sources.sources.size(); ++i)
@@ -29,12 +29,22 @@ class Furnisher {
     for (std::size_t i = 0; i < names.size(); ++i)
       m_views[i].name = names[i];
     m_built.scene.setViews(std::move(m_views));
-    return std::move(m_built.scene);
+    return {std::move(m_built.scene), m_cut};
   }
 
  private:
+  /// Returns what of a text may be shown, and `other` where nothing is left of it.
+  std::string shown(const std::string& text, const char* other) {
+    if (m_options.keepFileNames || text.empty() || mayBeShown(text))
+      return text;
+    ++m_cut;
+    std::string left = shownFileName(text);
+    return left.empty() ? other : left;
+  }
+
   std::optional<AnnotationId> add(const Fiducial& fiducial) {
     Annotation annotation = annotationOf(fiducial);
+    annotation.text = shown(annotation.text, "point");
     if (annotationFault(annotation))  // beyond what a float holds
       return std::nullopt;
     return m_built.scene.appendAnnotation(std::move(annotation));
@@ -46,7 +56,7 @@ class Furnisher {
     for (const Fiducial& fiducial : scene.fiducials)
       ids.push_back(add(fiducial));
     for (const SlicerView& saved : scene.views) {
-      View view{.name = saved.name, .camera = saved.camera};
+      View view{.name = shown(saved.name, "view"), .camera = saved.camera};
       if (!saved.groups.empty() || !saved.models.empty())
         view.looks = looks(saved, source);
       if (!saved.fiducials.empty()) {
@@ -76,15 +86,16 @@ class Furnisher {
 
   BuiltScene m_built;
   const Sources& m_sources;
-  std::optional<Frame> m_frame;
+  const ImportOptions& m_options;
+  std::size_t m_cut = 0;
   std::vector<View> m_views;
 };
 
 }  // namespace
 
-Scene withViewsAndAnnotations(BuiltScene built, const Sources& sources,
-                              std::optional<Frame> frame) {
-  return Furnisher(std::move(built), sources, frame).run();
+FurnishedScene withViewsAndAnnotations(BuiltScene built, const Sources& sources,
+                                       const ImportOptions& options) {
+  return Furnisher(std::move(built), sources, options).run();
 }
 
 }  // namespace sline::model

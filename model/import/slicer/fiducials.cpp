@@ -34,7 +34,7 @@ Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLim
     return fiducialsInTable(*text, file);
   std::string name = file.filename().string();
   name.resize(name.size() - std::min(name.size(), markups.size()));
-  return fiducialsInMarkups(*text, file, shownFileName(name));
+  return fiducialsInMarkups(*text, file, readableName(name));
 }
 
 Annotation annotationOf(const Fiducial& fiducial) {

@@ -145,7 +145,7 @@ void SceneReader::readModel(const XmlNode& node,
   model.id = node.attribute("id").value();
   if (isSurfaceFile(name))
     name = stemOf(name);
-  model.name = name.empty() ? shownFileName(stemOf(*file)) : readableName(name);
+  model.name = readableName(name.empty() ? stemOf(*file) : name);
   model.file = *file;
   if (const auto group = groups.find(node.attribute("id").value()); group != groups.end())
     model.group = group->second;
@@ -177,7 +177,7 @@ void SceneReader::readSegments(const XmlNode& node, SlicerScene& result) {
   }
   SlicerModel model;
   model.id = node.attribute("id").value();
-  model.name = name.empty() ? shownFileName(stemOf(*file)) : readableName(name);
+  model.name = readableName(name.empty() ? stemOf(*file) : name);
   model.file = *file;
   model.group = result.groups.size();
   model.segments = true;

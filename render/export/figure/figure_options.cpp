@@ -74,9 +74,7 @@ Status checkFigureOptions(const ExportOrder& order, bool blackAndWhite) {
   if (order.of<PixelOptions>().bits != 1 || blackAndWhite)
     return Unit{};
   return Error{.reason = "a depth of 1 bit leaves black and white alone, and the figure has tones",
-               .remedy =
-                   "Let the figure be black and white (\"black_and_white\": true), or take 8 "
-                   "bits"};
+               .remedy = "Let the figure be black and white, or take 8 bits"};
 }
 
 }  // namespace sline::render

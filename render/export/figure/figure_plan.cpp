@@ -205,8 +205,17 @@ class Planning {
     if (figure().projection == model::FigureProjection::parallel)
       order.camera = inParallel(order.camera);
     if (!saved || (panel.camera && panel.camera->fit))
-      order.camera = model::fittedToVisible(order.scene, order.camera, aspect,
-                                            sidesOfPlate(order, *m_typesetting));
+      order.camera =
+          model::fittedToVisible(order.scene, order.camera, aspect, sidesOf(index, order));
+  }
+
+  /// Returns what labels, marks and the panel's letter take of its sides.
+  model::FreeSides sidesOf(std::size_t index, const ExportOrder& order) const {
+    model::FreeSides sides = sidesOfPlate(order, *m_typesetting);
+    if (const std::string& letter = m_plan.layout.panels[index].letter; !letter.empty())
+      sides.top =
+          std::max(sides.top, double(letterBox(figure(), letter).high.y / order.page.sizeMm.y));
+    return sides;
   }
 
   /// Moves the camera aside so that it looks at the middle of what its own panel shows.

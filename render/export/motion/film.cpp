@@ -8,6 +8,7 @@
 #include <set>
 
 #include "model/edit/views.h"
+#include "model/focus/turned_focus.h"
 
 namespace sline::render {
 
@@ -31,6 +32,15 @@ std::vector<double> restsOf(const std::vector<model::View>& views, const FilmOpt
   for (const model::View& view : views)
     rests.push_back(view.words.seconds ? double(*view.words.seconds) : usual);
   return rests;
+}
+
+/// Returns the scene as it turns: nothing that comes to lie before what is in focus hides it.
+model::Scene turnedScene(const model::Scene& scene, const Turntable& table) {
+  constexpr int some = 24;
+  std::vector<model::Camera> cameras;
+  for (int i = 0; i < some; ++i)
+    cameras.push_back(table.at(double(i) / double(some)));
+  return model::withFocusSeenFrom(scene, cameras);
 }
 
 Status checked(const FilmOptions& options, const glm::ivec2& size) {
@@ -60,11 +70,12 @@ Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
   film.m_framesPerSecond = options.framesPerSecond;
   film.m_frames = filmFrames(options);
   switch (options.motion) {
-    case Motion::turntable:
-      film.m_motion = Turn{
-          order.scene,
-          Turntable(order.scene, order.camera, float(film.m_size.x) / float(film.m_size.y), share)};
+    case Motion::turntable: {
+      const Turntable table(order.scene, order.camera, float(film.m_size.x) / float(film.m_size.y),
+                            share);
+      film.m_motion = Turn{turnedScene(order.scene, table), table};
       return film;
+    }
     case Motion::tour: {
       Result<Tour> tour = tourOf(order);
       if (!tour.ok())
@@ -102,7 +113,8 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
     tour.said.push_back({view.name, view.words});
   tour.rests = rests;
   tour.first = {before, views.front().camera, views.front().name,
-                false,  tour.restAt(0),       views.front().words};
+                false,  tour.restAt(0),       views.front().words,
+                0};
   double leaves = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
     leaves += rests[i - 1];
@@ -160,14 +172,16 @@ FilmFrame Film::atTime(const Tour& tour, double seconds) const {
   const bool arrived = part <= 0.0 && leg > 0;
   const std::size_t now = arrived ? leg - 1 : leg;
   const double way = arrived ? 1.0 : part;
-  const Said& said = tour.said[way < 0.5 ? now : now + 1];
+  const std::size_t view = way < 0.5 ? now : now + 1;
+  const Said& said = tour.said[view];
   const bool moving = way > 0.0 && way < 1.0;
   return {tour.legs[now].blend.at(way),
           tour.legs[now].flight.at(way),
           said.name,
           moving,
           moving ? std::nullopt : tour.restAt(now + 1),
-          said.words};
+          said.words,
+          view};
 }
 
 std::vector<FilmCue> Film::cues() const {

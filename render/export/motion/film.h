@@ -24,6 +24,8 @@ struct FilmFrame {
   /// A tour rests at that view, counted from 0. Where a tour does not rest it flies.
   std::optional<std::size_t> rest = {};
   model::ViewWords words = {};  ///< as ExportOrder::words
+  /// Of a tour: the view whose name and words those are, counted from 0.
+  std::optional<std::size_t> view = {};
 };
 
 /// What is said from one time of a film to another, seconds.

@@ -55,47 +55,60 @@ LabelStyle FilmLabels::style() const {
   LabelStyle style = m_order.labels;
   style.ground = m_order.environment.background;
   style.edges = m_edges;
-  for (const auto& box : {m_legend, m_caption})
-    if (box)
-      style.reserved.push_back(*box);
+  style.reserved.insert(style.reserved.end(), m_boxes.begin(), m_boxes.end());
   return style;
+}
+
+Marks FilmLabels::marksOfFrame(const Film& film, const FilmFrame& frame) const {
+  ExportOrder order = orderOf(frame);
+  if (film.tours()) {
+    const bool words = order.marks.words;
+    order.marks = ExportMarks::none();
+    order.marks.words = words;
+    order.legend = LegendList::none;
+    if (const auto rest = frame.view ? m_rests.find(*frame.view) : m_rests.end();
+        rest != m_rests.end()) {
+      Marks marks = rest->second.marks;
+      std::erase_if(marks.lettering.items, [](const LetteringItem& item) {
+        return item.name != "caption" && item.name != "sources" && item.name != groundName;
+      });
+      marks.notes.clear();
+      return marks;
+    }
+  }
+  return marksOf(order, m_drawn ? &*m_drawn : nullptr);
 }
 
 FigurePlate FilmLabels::plateOf(const Film& film, int frame) const {
   const FilmFrame shown = film.at(frame);
-  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(shown)), .notes = {}};
-  if (m_order.labels.mode == LabelMode::off)
-    return plate;
-  if (!film.tours())
+  if (film.tours() && shown.rest)
+    return m_rests.at(*shown.rest);
+  FigurePlate plate{.labels = {}, .marks = marksOfFrame(film, shown), .notes = {}};
+  if (m_order.labels.mode != LabelMode::off && !film.tours())
     plate.labels = m_plates[std::size_t(frame)];
-  else if (shown.rest)
-    plate = m_rests.at(*shown.rest);
   return plate;
 }
 
 FigurePlate FilmLabels::alone(const Film& film, int shown) {
   const FilmFrame frame = film.at(shown);
-  if (frame.rest && m_order.labels.mode != LabelMode::off)
+  if (!film.tours() || frame.rest)
     return figurePlate(orderOf(frame), m_trees);
-  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame)), .notes = {}};
-  if (m_order.labels.mode == LabelMode::off || film.tours())
-    return plate;
-  LabelStyle free = style();
-  free.reserved.clear();
-  for (const auto& box : {plate.marks.legend, plate.marks.caption})
-    if (box)
-      free.reserved.push_back(*box);
-  plate.labels = labelPlate(frame.scene, Screen(frame.camera, m_order.page.sizeMm), free, m_trees);
-  return plate;
+  return {.labels = {}, .marks = marksOfFrame(film, frame), .notes = {}};
 }
 
 bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go) {
+  if (m_order.bare())
+    return true;
+  const double looking = m_order.labels.mode == LabelMode::off ? 1.0 : 0.3;
+  if (!lookAtAnatomy(film, [&](double share) { return !go || go(looking * share); }))
+    return false;
+  const auto rest = [&](double share) { return !go || go(looking + (1.0 - looking) * share); };
+  if (film.tours())
+    return settleRests(film, rest);
+  keepMarksFree(film);
   if (m_order.labels.mode == LabelMode::off)
     return true;
-  if (film.tours())
-    return settleRests(film, go);
-  keepMarksFree(film);
-  if (!lookAt(film, go))
+  if (!lookAt(film, rest))
     return false;
   if (film.loops())
     shareExtent(m_sights);
@@ -107,15 +120,47 @@ bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go)
   return true;
 }
 
+bool FilmLabels::lookAtAnatomy(const Film& film, const std::function<bool(double)>& go) {
+  // What passes between two of them reaches no farther than marks keep away.
+  constexpr int some = 36;
+  const int step = std::max(film.frames() / some, 1);
+  m_drawn.reset();
+  if (film.tours() && !m_order.sourcesInPicture())
+    return true;
+  for (int i = 0; i < film.frames(); i += step) {
+    if (!go(double(i) / double(film.frames())))
+      return false;
+    const FilmFrame frame = film.at(i);
+    const SeenArea now =
+        SeenMap(frame.scene, Screen(frame.camera, m_order.page.sizeMm), &m_trees).drawnArea();
+    if (!m_drawn)
+      m_drawn = now;
+    for (std::size_t k = 0; k < now.cells.size(); ++k)
+      m_drawn->cells[k] = m_drawn->cells[k] || now.cells[k];
+  }
+  return true;
+}
+
 bool FilmLabels::settleRests(const Film& film, const std::function<bool(double)>& go) {
   m_rests.clear();
+  // Whose work it is stands in the same place all the time, on the same ground.
+  ExportOrder credit = orderOf(film.at(0));
+  credit.marks = ExportMarks::none();
+  credit.legend = LegendList::none;
+  const std::optional<LabelBox> foot = marksOf(credit, m_drawn ? &*m_drawn : nullptr).cutOff;
   for (int i = 0; i < film.frames(); ++i) {
     const FilmFrame frame = film.at(i);
     if (!frame.rest || m_rests.contains(*frame.rest))
       continue;
-    if (go && !go(double(i) / double(film.frames())))
+    if (!go(double(i) / double(film.frames())))
       return false;
-    m_rests.emplace(*frame.rest, figurePlate(orderOf(frame), m_trees));
+    ExportOrder order = orderOf(frame);
+    if (foot)
+      order.labels.reserved.push_back(*foot);
+    FigurePlate plate = figurePlate(order, m_trees);
+    if (foot && !plate.marks.cutOff)
+      cutOffAt(plate.marks, *foot);
+    m_rests.emplace(*frame.rest, std::move(plate));
   }
   return true;
 }
@@ -124,16 +169,15 @@ void FilmLabels::keepMarksFree(const Film& film) {
   // Marks come and go; labels should not give way each time.
   const int step = std::max(film.frames() / 48, 1);
   for (int i = 0; i < film.frames(); i += step) {
-    const Marks marks = marksOf(orderOf(film.at(i)));
+    const Marks marks = marksOfFrame(film, film.at(i));
     const EdgeRoom& now = marks.edges;
     m_edges = {.left = std::max(m_edges.left, now.left),
                .top = std::max(m_edges.top, now.top),
                .right = std::max(m_edges.right, now.right),
                .bottom = std::max(m_edges.bottom, now.bottom)};
-    if (marks.legend)
-      m_legend = around(m_legend, *marks.legend);
-    if (marks.caption)
-      m_caption = around(m_caption, *marks.caption);
+    for (const LabelBox& box : marks.boxes)
+      if (std::find(m_boxes.begin(), m_boxes.end(), box) == m_boxes.end())
+        m_boxes.push_back(box);
   }
 }
 
@@ -144,7 +188,7 @@ bool FilmLabels::lookAt(const Film& film, const std::function<bool(double)>& go)
   m_pool.clear();
   const int looks = film.frames() + (film.frames() + step - 1) / step;
   int done = 0;
-  const auto next = [&] { return !go || go(double(done++) / double(looks)); };
+  const auto next = [&] { return go(double(done++) / double(looks)); };
   for (int i = 0; i < film.frames() && next(); i += step) {
     const FilmFrame frame = film.at(i);
     addPlaces(m_pool, frame.scene, Screen(frame.camera, m_order.page.sizeMm), m_trees);

@@ -20,7 +20,9 @@ class FilmLabels {
   explicit FilmLabels(const ExportOrder& order) : m_order(order) {}
 
   /// Finds the room that marks take in any of the frames, on which side each label stands, and
-  /// where it stands in each frame. A label changes sides at most once in eight seconds, and in a
+  /// where it stands in each frame. Marks stay in one place, clear of what any frame shows; on the
+  /// way of a tour there is nothing but whose work it is and what the view says, both where they
+  /// stand while it rests. A label changes sides at most once in eight seconds, and in a
   /// film that loops never; it is there or gone for a second at least. A tour has the labels of
   /// each view's still where it rests there, and none on its way: what they name is hidden and
   /// seen again in between. `go` receives the share that is done; if it returns false, this does,
@@ -34,6 +36,9 @@ class FilmLabels {
  private:
   ExportOrder orderOf(const FilmFrame& frame) const;
   LabelStyle style() const;
+  /// Finds what any of the frames shows; returns false where `go` does.
+  bool lookAtAnatomy(const Film& film, const std::function<bool(double)>& go);
+  Marks marksOfFrame(const Film& film, const FilmFrame& frame) const;
   bool settleRests(const Film& film, const std::function<bool(double)>& go);
   void keepMarksFree(const Film& film);
   /// Looks for the labels' places in all frames.
@@ -46,9 +51,9 @@ class FilmLabels {
 
   const ExportOrder& m_order;
   model::MeshTrees m_trees;
-  EdgeRoom m_edges;  ///< the room that marks take in any frame: labels keep out of it
-  std::optional<LabelBox> m_legend;            ///< what the legend takes in any frame, likewise
-  std::optional<LabelBox> m_caption;           ///< and what views say
+  EdgeRoom m_edges;               ///< the room that marks take in any frame: labels keep out of it
+  std::vector<LabelBox> m_boxes;  ///< and their boxes
+  std::optional<SeenArea> m_drawn;             ///< what any frame shows
   PlacePool m_pool;                            ///< the places where labels may point
   std::vector<LabelSights> m_sights;           ///< of each frame, until they are laid out
   std::vector<LabelPlate> m_plates;            ///< of each frame

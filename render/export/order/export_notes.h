@@ -22,6 +22,8 @@ struct ExportNote {
     legendEmpty,         ///< nothing that it should list is visible
     sidesUnknown,        ///< no R and L, as the directions of what is visible are unknown
     textShortened,       ///< `names`: the full texts
+    footCutOff,          ///< the picture ends above what is written at its foot; `detail`: by how
+                         ///< many millimetres
     sectionsUncut,       ///< the kind of file holds whole surfaces; `names`: the sections'
     noiseNotDrawn,       ///< the kind of file holds no pixels; `names`: the structures'
     standsOnWhite,       ///< the kind of file has no transparency

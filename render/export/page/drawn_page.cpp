@@ -101,12 +101,14 @@ std::vector<std::byte> packedRows(const QImage& band, const PixelLayout& layout)
 
 Result<PixelLayout> layoutOf(const DrawnPage& page, const PagePixels& pixels) {
   const double perMm = double(pixels.dpi) / double(millimetresPerInch);
-  const auto side = [perMm](float mm) { return std::lround(double(mm) * perMm); };
-  if (std::max(side(page.sizeMm.x), side(page.sizeMm.y)) > pixelSideLimits.high)
+  const int width = std::max(int(std::lround(double(page.sizeMm.x) * perMm)), pixelSideLimits.low);
+  const int height =
+      int(std::lround(double(page.sizeMm.y) / double(page.sizeMm.x) * double(width)));
+  if (std::max(width, height) > pixelSideLimits.high)
     return Error{.reason = "the sheet would have more than 20000 pixels on a side",
                  .remedy = "Take fewer pixels to the inch, or a smaller sheet"};
-  return PixelLayout{.width = std::max(int(side(page.sizeMm.x)), pixelSideLimits.low),
-                     .height = std::max(int(side(page.sizeMm.y)), 1),
+  return PixelLayout{.width = width,
+                     .height = std::max(height, 1),
                      .channels = pixels.inkAlone ? 1 : 3,
                      .bits = pixels.inkAlone ? pixels.bits : 8,
                      .dpi = pixels.dpi,
@@ -146,7 +148,10 @@ Status writePdfPage(const DrawnPage& page, const std::filesystem::path& target,
   PdfPages pages(page.sizeMm, page.language);
   if (!setPage(page, pages, setText, goOn))
     return givenUp(target);
-  const Result<QByteArray> document = pages.finish(page.credit);
+  pages.describe({page.credit.description, page.credit.descriptionLanguage});
+  ExportCredit credit = page.credit;
+  credit.description.clear();  // it is said of the page
+  const Result<QByteArray> document = pages.finish(credit);
   if (!document.ok())
     return document.error();
   if (!goOn(1.0))

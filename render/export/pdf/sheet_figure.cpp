@@ -11,6 +11,7 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/legend.h"
 #include "render/labels/seen_map.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
@@ -33,7 +34,8 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const ExportOrder& order) {
   const Screen screen(order.camera, order.page.sizeMm);
-  const SeenMap map(order.scene, screen);
+  const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
+  const SeenMap map(scene, screen);
   std::vector<Candidate> all;
   for (const model::Node& node : order.scene.nodes()) {
     if (node.isGroup())

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/plate/marks.h"
 
-#include <QFontMetricsF>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
 #include <iterator>
 #include <span>
 
@@ -13,10 +14,10 @@
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
+#include "render/export/plate/mark_text.h"
 #include "render/export/plate/source_credits.h"
 #include "render/labels/orientation_letters.h"
 #include "render/lettering/caption.h"
-#include "render/lettering/folded_text.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/scale_length.h"
@@ -28,9 +29,6 @@ namespace {
 // Millimetres of the output.
 constexpr float margin = markMargin;
 constexpr float gap = 1.5f;  // between marks, and to labels
-constexpr float barTick = 1.3f;
-constexpr float barWidth = 0.25f;
-constexpr float barHalo = 0.35f;
 constexpr float widestBar = 40.0f;
 
 // Shares of the labels' size.
@@ -48,9 +46,11 @@ using Ways = std::span<const glm::vec2>;
 
 class MarkLayout {
  public:
-  MarkLayout(const ExportOrder& order, const SeenArea* drawn)
+  /// `cut`: the picture ends there, millimetres from its upper edge.
+  MarkLayout(const ExportOrder& order, const SeenArea* drawn, std::optional<float> cut)
       : m_order(order),
         m_drawn(drawn),
+        m_cut(cut),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background)),
         m_sides(knownSides(order.scene)),
@@ -77,6 +77,8 @@ class MarkLayout {
       addLegend();
     if (m_order.marks.words)
       addCaption();
+    if (m_cut)
+      cutOff();
     m_marks.edges.bottom += m_marks.foot;
     return std::move(m_marks);
   }
@@ -85,25 +87,17 @@ class MarkLayout {
   float points(float size) const { return size * m_order.labels.points; }
   float letterCap() const { return capHeightMm(points(letterSize)); }
 
-  LabelBox boxOf(const LetteringText& text) const {
-    const float em = text.points * millimetresPerPoint;
-    const float width = textWidthMm(text.lines.front(), text.points);
-    const float left = text.at.x - (text.anchor == TextAnchor::end      ? width
-                                    : text.anchor == TextAnchor::middle ? 0.5f * width
-                                                                        : 0.0f);
-    return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
-  }
-
   /// Keeps the box for what was put there.
   void take(const LabelBox& box) {
     m_places.take(box);
     m_marks.boxes.push_back(box.grown(gap));
   }
 
-  /// Adds the item, moved as far as anatomy makes it move; returns its box, or adds nothing where
-  /// there is no room for it.
-  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways) {
-    const std::optional<glm::vec2> by = m_places.shift(box, ways);
+  /// Adds the item, moved as far as anatomy makes it move, so that it has that room; returns its
+  /// box, or adds nothing where there is no room for it.
+  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways,
+                              const std::optional<LabelBox>& room = {}) {
+    const std::optional<glm::vec2> by = m_places.shift(room.value_or(box), ways);
     if (!by) {
       addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
                               .names = {std::move(item.name)},
@@ -126,14 +120,24 @@ class MarkLayout {
             .ink = m_colours.ink};
   }
 
-  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there.
+  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there: then where
+  /// any letter has room, so that in a film one takes the place of another.
   std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
                                     TextAnchor anchor) {
     if (letters.empty())
       return std::nullopt;
-    const LetteringText line = text(QString::fromStdString(letters), at, letterSize, anchor);
-    return add({.name = "side " + letters, .shapes = {}, .text = line}, boxOf(line),
-               anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown));
+    const auto boxWith = [&](const QString& words) {
+      return boxOf(text(words, at, letterSize, anchor));
+    };
+    const QString words = QString::fromStdString(letters);
+    LabelBox room = boxWith(words);
+    for (const QChar letter : QStringLiteral("RLAPSI")) {
+      const LabelBox other = boxWith(letter);
+      room = {glm::min(room.low, other.low), glm::max(room.high, other.high)};
+    }
+    return add(
+        {.name = "side " + letters, .shapes = {}, .text = text(words, at, letterSize, anchor)},
+        boxWith(words), anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown), room);
   }
 
   void addSides() {
@@ -150,11 +154,6 @@ class MarkLayout {
       edges.top = margin + letterCap() + gap;
     if (m_bottom)
       edges.bottom = margin + letterCap() + gap;
-  }
-
-  QString elided(const QString& line, float size, float width) const {
-    const qreal scale = qreal(points(size) * millimetresPerPoint) / labelFontPixels;
-    return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
   }
 
   /// Notes that of the text only a part is written.
@@ -186,7 +185,7 @@ class MarkLayout {
       if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
         baseline += letterCap() + gap;
       const float left = leftEnd(baseline - cap, baseline);
-      const QString fitted = elided(line, size, m_size.x - margin - left);
+      const QString fitted = elidedTo(line, points(size), m_size.x - margin - left);
       if (fitted != line)
         noteShortened(line);
       const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
@@ -255,17 +254,9 @@ class MarkLayout {
     const LetteringText words =
         text(line, {margin + bar + gap, baseline}, smallSize, TextAnchor::start);
     LetteringItem item{.name = "scale", .shapes = {}, .text = words};
-    item.shapes.push_back({.path = polyline({{margin, baseline - barTick},
-                                             {margin, baseline},
-                                             {margin + bar, baseline},
-                                             {margin + bar, baseline - barTick}}),
-                           .pen = barWidth,
-                           .ink = m_colours.ink,
-                           .fill = {},
-                           .dashed = false,
-                           .halo = barHalo});
+    item.shapes.push_back(scaleBarShape({margin, baseline}, bar, m_colours.ink));
     LabelBox box = boxOf(words);
-    box.low.x = margin - 0.5f * barWidth;
+    box.low.x = margin - 0.5f * scaleBarPen;
     return ScaleBar{std::move(item), box, baseline};
   }
 
@@ -293,6 +284,9 @@ class MarkLayout {
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, high);
   }
 
+  /// Says that the picture must end there, so that what is written below has room.
+  void cutFrom(float y) { m_cut = std::min(m_cut.value_or(y), y); }
+  void cutOff();
   void addSources();
   void addGammaKeys();
   void addCaption();
@@ -301,6 +295,7 @@ class MarkLayout {
 
   const ExportOrder& m_order;
   const SeenArea* m_drawn;
+  std::optional<float> m_cut;
   glm::vec2 m_size;
   LetteringColours m_colours;
   model::KnownSides m_sides;
@@ -312,46 +307,38 @@ class MarkLayout {
   std::optional<LabelBox> m_bottom;
 };
 
+/// Covers what is below the cut with ground.
+void MarkLayout::cutOff() {
+  const glm::vec2& page = m_order.page.sizeMm;
+  cutOffAt(m_marks, {{0.0f, *m_cut}, page});
+  addNote(m_marks.notes, {.kind = ExportNote::Kind::footCutOff,
+                          .names = {},
+                          .detail = std::to_string(std::lround(page.y - *m_cut))});
+}
+
 /// Adds whose work the surfaces are at the very foot, whole, and leaves that out of the page that
-/// other marks have. Letters get smaller where it would take much of the page; where it takes more
-/// than half even so, the rest is noted.
+/// other marks have; where it would take more than half of the page, the rest is noted.
 void MarkLayout::addSources() {
-  constexpr float leading = 1.3f;      // ems
-  constexpr float usualShare = 0.25f;  // of the page's height
-  constexpr float mostShare = 0.5f;
   const QString whole = QString::fromStdString(sourcesInOne(m_order.scene)).simplified();
   if (whole.isEmpty())
     return;
-  const float width = m_size.x - 2.0f * margin;
-  float size = 0.0f;
-  float lineHeight = 0.0f;
-  std::vector<QString> lines;
-  for (const float tried : {0.65f, 0.55f, 0.45f}) {
-    size = tried;
-    lineHeight = leading * points(size) * millimetresPerPoint;
-    lines = foldedText(whole, points(size), width);
-    if (float(lines.size()) * lineHeight <= usualShare * m_size.y)
-      break;
-  }
-  const auto most = std::max<std::size_t>(1, std::size_t(mostShare * m_size.y / lineHeight));
-  if (lines.size() > most) {
-    lines.resize(most);
-    lines.back() = elided(lines.back() + QStringLiteral(" \u2026"), size, width);
+  const FootText foot = footText(whole, points(1.0f), {m_size.x - 2.0f * margin, m_size.y});
+  if (foot.shortened)
     noteShortened(whole);
-  }
-  const float below = float(lines.size() - 1) * lineHeight;
-  LetteringText one =
-      text(lines.front(), {margin, m_size.y - margin - below}, size, TextAnchor::start);
-  one.lines.assign(lines.begin(), lines.end());
-  one.leading = lineHeight;
+  LetteringText one = text({}, {margin, m_size.y - margin - foot.below()}, 1.0f, TextAnchor::start);
+  one.points = foot.points;
+  one.lines.assign(foot.lines.begin(), foot.lines.end());
+  one.leading = foot.lineHeight;
   LabelBox box = boxOf(one);
   for (const TextLine& line : one.lines)
     box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
-  box.high.y += below;
+  box.high.y += foot.below();
   // Whose work it is stands at the foot whatever lies there: a licence asks for it.
+  if (m_drawn && m_drawn->anyIn(box.grown(0.5f * gap)))
+    cutFrom(box.low.y - 0.5f * gap);
   m_marks.lettering.items.push_back({.name = "sources", .shapes = {}, .text = one});
   take(box);
-  m_marks.foot = capHeightMm(points(size)) + below + gap;
+  m_marks.foot = capHeightMm(foot.points) + foot.below() + gap;
   m_size.y -= m_marks.foot;
   m_places.setPage(m_size);
 }
@@ -363,7 +350,7 @@ void MarkLayout::addGammaKeys() {
       .points = points(smallSize), .width = widest * m_size.x, .colours = m_colours};
   float top = margin;
   for (GammaKey key : gammaKeys(m_order, m_words)) {
-    key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
+    key.title = elidedTo(key.title, points(smallSize), 1.5f * widest * m_size.x);
     if (key.title != key.fullTitle)
       noteShortened(key.fullTitle);
     const glm::vec2 size = gammaKeySize(key, style);
@@ -409,7 +396,7 @@ void MarkLayout::addLegend() {
   for (const model::Node* node : structures) {
     const QString whole =
         QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
-    names.push_back(elided(whole, smallSize, widestName * m_size.x));
+    names.push_back(elidedTo(whole, points(smallSize), widestName * m_size.x));
     if (names.back() != whole)
       shortened.push_back(whole);
     width = std::max(width, measure.indent + textWidthMm(names.back(), points(smallSize)));
@@ -475,8 +462,11 @@ void MarkLayout::addCaption() {
   }
   if (caption->shortened)
     noteShortened(plainText(caption->item.text->lines.front()));
-  // What the view says is never lost: where anatomy leaves it no room it stands at its usual place.
-  const glm::vec2 by = m_places.shift(caption->box, upAndDown).value_or(glm::vec2(0.0f));
+  // What the view says is never lost: where anatomy leaves it no room the picture ends above it.
+  const std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
+  const glm::vec2 by = free.value_or(glm::vec2(0.0f));
+  if (!free && m_drawn)
+    cutFrom(caption->box.low.y - gap);
   take({caption->box.low + by, caption->box.high + by});
   m_marks.lettering.items.push_back(movedBy(caption->item, by));
   m_marks.caption = m_marks.boxes.back();
@@ -487,7 +477,16 @@ void MarkLayout::addCaption() {
 }  // namespace
 
 Marks marksOf(const ExportOrder& order, const SeenArea* drawn) {
-  return MarkLayout(order, drawn).make();
+  Marks marks = MarkLayout(order, drawn, {}).make();
+  // Below the cut there is no anatomy that marks must keep off, and they may stand there, too.
+  for (int round = 0; marks.cutOff && round < 3; ++round) {
+    const float cut = marks.cutOff->low.y;
+    const SeenArea left = areaAbove(*drawn, cut);
+    marks = MarkLayout(order, &left, cut).make();
+    if (marks.cutOff->low.y >= cut)
+      break;
+  }
+  return marks;
 }
 
 void paintMarks(QPainter& painter, const Marks& marks) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "render/export/order/export_order.h"
 #include "render/labels/seen_map.h"
@@ -13,6 +14,8 @@ namespace sline::render {
 
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
+/// The name of the item that is nothing but ground, below what is written at the foot.
+inline constexpr std::string_view groundName = "ground";
 
 /// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", "sources", and
 /// one for each row of the legend and each part of the keys of Γ.
@@ -25,7 +28,10 @@ struct Marks {
   std::vector<LabelBox> boxes;
   std::optional<LabelBox> legend;   ///< the one of them that the legend takes
   std::optional<LabelBox> caption;  ///< and what the view says
-  ExportNotes notes;                ///< marks that are wanted but missing or shortened
+  /// What is cut off the picture at its foot, for what is written there: a camera of one's own left
+  /// no room for it. It has an item, `groundName`, that covers the anatomy.
+  std::optional<LabelBox> cutOff;
+  ExportNotes notes;  ///< marks that are wanted but missing or shortened
 };
 
 /// Lays out the marks that are wanted for the order's scene, camera and page, in the labels' size
@@ -36,10 +42,13 @@ struct Marks {
 ///
 /// Marks keep off what the picture shows, where that is given: a letter moves along its edge, other
 /// marks along theirs or to another corner, and what would touch anatomy wherever it stood is left
-/// out and told; what the view says and whose work it is then stand where they always do. Without
-/// it each mark is in its usual place: for a camera that is yet to be fitted, and in films, where
-/// marks must not jump.
+/// out and told. What the view says and whose work it is then stand at the foot of the page, and
+/// the picture ends above them (`Marks::cutOff`), which is told, too. Without it each mark is in
+/// its usual place: for a camera that is yet to be fitted. In films it is what any frame shows, so
+/// that marks stay where they are.
 Marks marksOf(const ExportOrder& order, const SeenArea* drawn = nullptr);
+/// Covers what lies in the box at the page's foot with ground, below the other marks.
+void cutOffAt(Marks& marks, const LabelBox& foot);
 
 /// Tells whether the scene has a visible annotation. If it has none, sheets label structures by
 /// themselves (`sheetFigure`).

@@ -40,7 +40,8 @@ RoomOfMarks roomOfMarks(const ExportOrder& order) {
   // The legend stands beside the anatomy, at its right.
   return {.size = {2.0f * std::max(edges.left, edges.right), 2.0f * rows},
           .legend = marks.legend ? order.page.sizeMm.x - marks.legend->low.x : 0.0f,
-          .foot = marks.foot};
+          // What the view says stands above it all.
+          .foot = marks.caption ? std::max(marks.foot, edges.bottom - rows) : marks.foot};
 }
 
 }  // namespace
@@ -80,9 +81,14 @@ model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
                            order.page.sizeMm, order.labels, roomOfMarks(order));
 }
 
-glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
+glm::vec2 shareBesidePlate(const ExportOrder& given, const Typesetting&) {
+  // From all sides there is no view that says anything.
+  ExportOrder order = given;
+  order.viewName.clear();
+  order.words = {};
   const glm::vec2 page = order.page.sizeMm;
-  const RoomOfMarks marks = roomOfMarks(order);
+  RoomOfMarks marks = roomOfMarks(order);
+  marks.size.y += 2.0f * marks.foot;
   glm::vec2 share = shareBesideMarks(marks, page);
   if (order.labels.mode != LabelMode::off) {
     const ColumnWidths widths =

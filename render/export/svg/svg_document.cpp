@@ -36,8 +36,8 @@ class Document {
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
     const std::string height = number(double(m_drawing.sizeMm.y), 4);
-    m_text = svgStart(width, height, m_credit.description.empty() ? std::string() : svgDescribed);
-    addDescription();
+    m_text = svgStart(width, height, describedBy(m_credit));
+    appendDescription(m_text, m_credit);
     appendCredit(m_text, m_credit);
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
@@ -55,22 +55,6 @@ class Document {
   }
 
  private:
-  /// Adds what the drawing shows: its first sentence as the title, which programs show, too.
-  void addDescription() {
-    const std::string& text = m_credit.description;
-    if (text.empty())
-      return;
-    const std::size_t cut = std::min(text.find(". "), text.size());
-    const std::string language =
-        m_credit.descriptionLanguage.empty()
-            ? std::string()
-            : " xml:lang=\"" + xmlText(m_credit.descriptionLanguage) + "\"";
-    m_text += "<title id=\"" + std::string(svgTitleId) + "\"" + language + ">" +
-              xmlText(std::string_view(text).substr(0, cut)) + "</title>\n";
-    m_text += "<desc id=\"" + std::string(svgDescriptionId) + "\"" + language + ">" +
-              xmlText(text) + "</desc>\n";
-  }
-
   const VectorDrawing& m_drawing;
   const model::Scene& m_scene;
   std::span<const SvgWriting> m_writings;
@@ -80,6 +64,24 @@ class Document {
 };
 
 }  // namespace
+
+std::string describedBy(const ExportCredit& credit) {
+  return credit.description.empty() ? std::string() : svgDescribed;
+}
+
+void appendDescription(std::string& text, const ExportCredit& credit) {
+  const std::string& said = credit.description;
+  if (said.empty())
+    return;
+  const std::size_t cut = std::min(said.find(". "), said.size());
+  const std::string language = credit.descriptionLanguage.empty()
+                                   ? std::string()
+                                   : " xml:lang=\"" + xmlText(credit.descriptionLanguage) + "\"";
+  text += "<title id=\"" + std::string(svgTitleId) + "\"" + language + ">" +
+          xmlText(std::string_view(said).substr(0, cut)) + "</title>\n";
+  text += "<desc id=\"" + std::string(svgDescriptionId) + "\"" + language + ">" + xmlText(said) +
+          "</desc>\n";
+}
 
 void appendCredit(std::string& text, const ExportCredit& credit) {
   if (credit.empty())

@@ -21,6 +21,13 @@ namespace sline::render {
 std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
                         std::span<const SvgWriting> writings = {}, const ExportCredit& credit = {});
 
+/// Returns what the document's element says of its title and description; nothing where it has
+/// none.
+std::string describedBy(const ExportCredit& credit);
+/// Appends what the document shows: its first sentence as the title, which programs show, too, and
+/// all of it as the description.
+void appendDescription(std::string& text, const ExportCredit& credit);
+
 /// Appends the credit as Inkscape writes and reads it: Dublin Core about the document.
 void appendCredit(std::string& text, const ExportCredit& credit);
 

@@ -61,7 +61,8 @@ void appendFigure(std::string& text, const SvgFigure& figure) {
 
 std::string svgSheet(const glm::vec2& sizeMm, std::span<const SvgFigure> figures,
                      std::span<const SvgWriting> writings, const ExportCredit& credit) {
-  std::string text = svgStart(sheetNumber(sizeMm.x), sheetNumber(sizeMm.y));
+  std::string text = svgStart(sheetNumber(sizeMm.x), sheetNumber(sizeMm.y), describedBy(credit));
+  appendDescription(text, credit);
   appendCredit(text, credit);
   text += "<rect id=\"background\"" + sizeAttributes(sizeMm) + " fill=\"#ffffff\"/>\n";
   text +=

@@ -55,6 +55,10 @@ class ShownNamesTest : public QObject {
         {"PTV_1961", "PTV"},
         {"Low_Jane_liver", "liver"},
         {"OpticNrv_R_PRV03", "OpticNrv_R_PRV03"},
+        {"vermis 4 5", "vermis 4 5"},
+        {"organs at risk", "organs at risk"},
+        // Three numbers are a date of birth.
+        {"liver 3 2 61", "liver 3 2"},
         // What is left of a person's name besides numbers, sides and letters is nothing.
         {"Doe_Jane", ""},
         {"DOE JANE 12 L", ""},

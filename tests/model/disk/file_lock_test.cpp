@@ -10,6 +10,7 @@
 #include <QtTest>
 #include <atomic>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "model/disk/whole_file.h"
@@ -124,11 +125,11 @@ void FileLockTest::linksLeadToOneLock() {
 void FileLockTest::savingLeavesNothingBeside() {
   const QTemporaryDir folder;
   const fs::path file = folder.filePath("a.sline").toStdString();
-  // Files left by writers that were killed are removed; files named otherwise stay.
-  for (const char* name : {".a.sline.4711", ".a.sline.12", ".a.sline.backup", ".b.sline.4711"})
-    QVERIFY(writeText(folder.filePath(name).toStdString(), "x").ok());
+  // Files left by writers that were killed are taken over; files named otherwise stay.
+  for (const char* name : {".a.sline.1.part", ".a.sline.backup", ".b.sline.1.part"})
+    std::ofstream(folder.filePath(name).toStdString()) << "x";
   QVERIFY(writeSceneFile(file, {.scene = test::sampleScene()}).ok());
-  QCOMPARE(filesIn(folder), QStringList({".a.sline.backup", ".b.sline.4711", "a.sline"}));
+  QCOMPARE(filesIn(folder), QStringList({".a.sline.backup", ".b.sline.1.part", "a.sline"}));
 }
 
 void FileLockTest::fullDiskLeavesTheOldFile() {

@@ -3,6 +3,7 @@
 // files that it was made of, be it open or saved; and that its patient is known by what it keeps.
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
@@ -65,7 +66,8 @@ void write(const QString& folder, const Organs& organs) {
                     organs.say ? std::optional(organs.frame) : std::nullopt);
 }
 
-/// Returns "growth RAS right sure" for each structure, in the order of names.
+/// Returns "growth RAS right sure", or "… front marked" or "… marked", for each structure, in the
+/// order of names.
 QStringList told(const Scene& scene, const glm::vec3& away) {
   QStringList all;
   for (const Node& node : scene.nodes()) {
@@ -78,7 +80,9 @@ QStringList told(const Scene& scene, const glm::vec3& away) {
                        glm::length(middle - body().at(name) - away) < 0.1f;
     all << name + " " + QString::fromStdString(node.provenance.frame) +
                (right ? " right" : " wrong") +
-               (node.provenance.evidence.isSure() ? " sure" : " marked");
+               (node.provenance.evidence.isSure()        ? " sure"
+                : isSure(node.provenance.evidence.sides) ? " front marked"
+                                                         : " marked");
   }
   all.sort();
   return all;
@@ -152,6 +156,7 @@ class ImportIntoTest : public QObject {
   void asInOneFolder();
   void whatIsSettledStays();
   void nothingMovesWithoutNeed();
+  void whatComesTwiceIsTold();
   void savedScenesKnowTheirPatient_data();
   void savedScenesKnowTheirPatient();
   void scenesThatCannotBeCompared();
@@ -164,27 +169,31 @@ void ImportIntoTest::asInOneFolder_data() {
   QTest::addColumn<bool>("openSays");
   QTest::addColumn<bool>("addedSays");
   QTest::addColumn<float>("away");
-  QTest::addColumn<bool>("certain");  // all is right and sure
+  QTest::addColumn<bool>("right");    // all is
+  QTest::addColumn<bool>("certain");  // and is sure
   const QStringList surroundings{"liver", "spine", "urinary bladder", "spleen"};
-  QTest::newRow("fits in") << surroundings << QStringList{"growth"} << true << false << 0.0f
-                           << true;
+  QTest::newRow("fits in") << surroundings << QStringList{"growth"} << true << false << 0.0f << true
+                           << false;
   QTest::newRow("fits nowhere") << surroundings << QStringList{"growth"} << true << false << 900.0f
-                                << false;
+                                << false << false;
   QTest::newRow("what is open is assumed, what comes fits")
-      << QStringList{"growth"} << surroundings << false << true << 0.0f << true;
+      << QStringList{"growth"} << surroundings << false << true << 0.0f << true << false;
   QTest::newRow("both halves of a pair")
       << QStringList{"left masseter"} << QStringList{"right masseter"} << false << false << 0.0f
-      << true;
+      << true << false;
   QTest::newRow("a pair beside what was assumed")
       << QStringList{"growth"} << QStringList{"left kidney", "right kidney"} << false << false
-      << 0.0f << true;
+      << 0.0f << true << false;
+  QTest::newRow("a pair and what lies before it")
+      << QStringList{"growth"} << QStringList{"left kidney", "right kidney", "liver"} << false
+      << false << 0.0f << true << true;
   QTest::newRow("nothing tells") << QStringList{"growth"} << QStringList{"urinary bladder"} << false
-                                 << false << 0.0f << false;
+                                 << false << 0.0f << false << false;
   QTest::newRow("a weak name beside what was assumed")
       << QStringList{"urinary bladder"} << QStringList{"left masseter"} << false << false << 0.0f
-      << false;
+      << false << false;
   QTest::newRow("the same name") << QStringList{"growth", "liver"} << QStringList{"growth"} << true
-                                 << false << 0.0f << true;
+                                 << false << 0.0f << true << true;
 }
 
 void ImportIntoTest::asInOneFolder() {
@@ -193,6 +202,7 @@ void ImportIntoTest::asInOneFolder() {
   QFETCH(bool, openSays);
   QFETCH(bool, addedSays);
   QFETCH(float, away);
+  QFETCH(bool, right);
   QFETCH(bool, certain);
   for (const Frame frame : {Frame::lps, Frame::ras}) {
     const QTemporaryDir folder;
@@ -202,9 +212,8 @@ void ImportIntoTest::asInOneFolder() {
     const Path root(folder.path().toStdString());
     const QStringList together = told(importedFrom({root / "all"}), shift);
     QCOMPARE(together.size(), open.size() + added.size());
-    if (certain)
-      for (const QString& each : together)
-        QVERIFY2(each.endsWith("right sure"), qPrintable(each));
+    for (const QString& each : together)
+      QVERIFY2(!right || each.contains(certain ? " right sure" : " right "), qPrintable(each));
     const Scene before = importedFrom({root / "all/open"});
     ImportReport report;
     QCOMPARE(told(withAdded(before, root / "all/added", &report), shift), together);
@@ -226,8 +235,9 @@ void ImportIntoTest::whatIsSettledStays() {
   const Path root(folder.path().toStdString());
   const Scene open = withSidesSettled(importedFrom({root / "open"}), SideAnswer::right).scene;
   const Scene after = withAdded(open, root / "added");
-  QCOMPARE(told(after, {}), (QStringList{"growth LPS wrong sure", "left kidney RAS right sure",
-                                         "right kidney RAS right sure"}));
+  QCOMPARE(told(after, {}),
+           (QStringList{"growth LPS wrong sure", "left kidney RAS right front marked",
+                        "right kidney RAS right front marked"}));
 }
 
 /// What is assumed on both sides stays where it is, together.
@@ -241,6 +251,32 @@ void ImportIntoTest::nothingMovesWithoutNeed() {
   const Scene after = withAdded(open, root / "added", &report);
   QVERIFY(!report.frameAnew);
   QVERIFY(test::named(after, "growth").mesh == test::named(open, "growth").mesh);
+}
+
+/// Two bodies in one place are told whichever comes first, once.
+void ImportIntoTest::whatComesTwiceIsTold() {
+  const QTemporaryDir folder;
+  const QStringList organs{"liver", "spleen", "spine", "left kidney", "right kidney"};
+  write(folder.filePath("open"), {organs, Frame::lps, true});
+  write(folder.filePath("added"), {organs, Frame::lps, true, {3.0f, 0.0f, 0.0f}});
+  write(folder.filePath("other"), {{"growth"}, Frame::lps, true});
+  const Path root(folder.path().toStdString());
+  const auto says = [](const ImportReport& report) {
+    return std::count_if(report.warnings.begin(), report.warnings.end(),
+                         [](const ImportWarning& w) {
+                           return w.reason.find("two versions or two bodies") != std::string::npos;
+                         });
+  };
+  const Scene open = importedFrom({root / "open"});
+  ImportReport report;
+  const Scene both = withAdded(open, root / "added", &report);
+  QCOMPARE(says(report), 1);
+  withAdded(both, root / "other", &report);
+  QCOMPARE(says(report), 0);
+  QVERIFY(writeSceneFile(root / "open.sline", {.scene = open}).ok());
+  const auto saved = importInputs(std::array{root / "open.sline", root / "added"}, unsmoothed());
+  QVERIFY(saved.ok());
+  QCOMPARE(says(saved->report), 1);
 }
 
 void ImportIntoTest::savedScenesKnowTheirPatient_data() {

@@ -67,6 +67,7 @@ class LimitsTest : public QObject {
  private slots:
   void everyValueThroughEveryDoor();
   void longestScenesAreReadSoon();
+  void editsOfLargeScenesAreLookedAtAlone();
   void tooLargeScenesAreRefusedBeforeTheyAreWritten();
 
  private:
@@ -207,6 +208,58 @@ void LimitsTest::longestScenesAreReadSoon() {
   QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
   QCOMPARE(document->scene.views().size(), std::size_t(40));
   QVERIFY(document->leftOut.empty());
+}
+
+/// An edit is looked at without the rest of a large scene, and nothing that it breaks is missed.
+void LimitsTest::editsOfLargeScenesAreLookedAtAlone() {
+  Scene scene = test::sampleScene();
+  std::vector<Node> nodes = scene.nodes();
+  Node more = nodes[2];
+  more.parent = rootId;
+  while (nodes.size() < 5000) {
+    more.id = {nodes.size() + 1};
+    nodes.push_back(more);
+  }
+  scene.setNodes(std::move(nodes));
+  QVERIFY(!limitFault(scene));
+  const auto edited = [&scene](const auto& change) {
+    std::vector<Node> changed = scene.nodes();
+    change(changed);
+    Scene after = scene;
+    after.setNodes(std::move(changed));
+    return after;
+  };
+  const Scene renamed = edited([](std::vector<Node>& all) { all[4000].name = "another"; });
+  const auto best = [](const auto& work) {
+    qint64 least = std::numeric_limits<qint64>::max();
+    for (int i = 0; i < 7; ++i) {
+      QElapsedTimer clock;
+      clock.start();
+      work();
+      least = std::min(least, clock.nsecsElapsed());
+    }
+    return least;
+  };
+  const qint64 whole = best([&] { QVERIFY(!limitFault(renamed)); });
+  const qint64 alone = best([&] { QVERIFY(!limitFault(renamed, scene)); });
+  qInfo("an edit among 5,000 structures: %lld us, without what was there %lld us", whole / 1000,
+        alone / 1000);
+  QVERIFY(2 * alone < whole);
+  const auto isRefused = [&scene](const Scene& after) { return limitFault(after, scene); };
+  QVERIFY(isRefused(edited([](auto& all) { all[4000].name = std::string(1001, 'x'); })));
+  QVERIFY(isRefused(
+      edited([](auto& all) { all.push_back({.id = {9000}, .name = std::string(1001, 'x')}); })));
+  QVERIFY(isRefused(edited([](auto& all) {
+    for (std::size_t i = 0; i <= deepestSceneGroup; ++i)
+      all.push_back({.id = {9000 + i}, .parent = i == 0 ? rootId : all.back().id, .name = "deep"});
+  })));
+  // A label stays where its structure went.
+  QVERIFY(isRefused(edited([](auto& all) { all.erase(all.begin() + 2); })));
+  Scene wordy = scene;
+  std::vector<View> views = wordy.views();
+  views[0].name = std::string(1001, 'x');
+  wordy.setViews(std::move(views));
+  QVERIFY(isRefused(wordy));
 }
 
 void LimitsTest::tooLargeScenesAreRefusedBeforeTheyAreWritten() {

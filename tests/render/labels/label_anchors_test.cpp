@@ -218,6 +218,32 @@ class LabelAnchorsTest : public QObject {
     }
   }
 
+  /// A label is dashed on small paper if it is on large one: the picture is the same.
+  void paperDoesNotDecideWhatIsSeen() {
+    model::Scene scene;
+    for (int i = 0; i < 24; ++i) {
+      const float angle = 2.399963f * float(i);
+      const float far = 5.0f * std::sqrt(float(i));
+      model::Node node{.name = "body " + std::to_string(i),
+                       .mesh = test::moved(*test::sphere(1.0f, 3), 1.0f + float(i % 5) * 3.0f,
+                                           {far * std::cos(angle), float(i % 7) * 9.0f - 27.0f,
+                                            far * std::sin(angle)})};
+      node.style.gamma = Gamma::clamped(i % 3 == 0 ? 5.0f : 1.0f);
+      scene.append(node);
+    }
+    const SeenMap usual(scene, Screen(front(), {254.0f, 190.5f}));
+    for (const float times : {0.5f, 2.0f, 4.0f}) {
+      const SeenMap map(scene, Screen(front(), times * glm::vec2(254.0f, 190.5f)));
+      for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
+        const auto there = usual.find(id);
+        const auto here = map.find(id);
+        QVERIFY(there && here);
+        QCOMPARE(here->hidden, there->hidden);
+        QVERIFY(glm::distance(here->place, times * there->place) < times * 1.5f);
+      }
+    }
+  }
+
   /// A cut face hides the distance that lies behind it, whatever the structure's fill; beside it
   /// nothing is hidden, and what has no face has none to hide with.
   void aCutFaceHidesADistance() {

@@ -37,6 +37,29 @@ class PickIndexTest : public QObject {
     QVERIFY(std::abs(pick->position.y - picked) < 1.0f);
   }
 
+  /// Of faces of one cut the innermost is picked, whatever the order of the scene and the fills.
+  void theInnermostFaceIsPicked() {
+    for (const float gamma : {1.0f, 3.0f, 5.0f})
+      for (const bool bodyFirst : {true, false}) {
+        model::Scene scene;
+        model::NodeId heart;
+        for (const bool body : {bodyFirst, !bodyFirst}) {
+          model::Node node{.name = body ? "BODY" : "Heart",
+                           .mesh = test::moved(*test::sphere(body ? 60.0f : 20.0f, 4), 1.0f,
+                                               {0.0f, body ? 0.0f : 4.0f, 0.0f})};
+          node.style.gamma = Gamma::clamped(gamma);
+          const model::NodeId id = scene.append(node);
+          heart = body ? heart : id;
+        }
+        scene.appendSection({.plane = {.normal = {0.0f, -1.0f, 0.0f}, .offset = 0.0f}});
+        render::PickIndex index;
+        const model::Ray inside{.origin = {5, -500, 3}, .direction = {0, 1, 0}};
+        const model::Ray beside{.origin = {40, -500, 3}, .direction = {0, 1, 0}};
+        QCOMPARE(index.pick(scene, {&inside, 1}).seen->id, heart);
+        QVERIFY(index.pick(scene, {&beside, 1}).seen->id != heart);
+      }
+  }
+
   /// Three spheres lie in a row along the ray, the first at y = −100.
   void nearestThatIsSeen_data() {
     QTest::addColumn<QList<float>>("gammas");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the patterns of cut faces in a view: which structures have them, that they stay while the
 // camera turns, and their layer in a vector drawing.
+#include <QElapsedTimer>
 #include <QtTest>
 
 #include "model/edit/sections.h"
@@ -72,6 +73,7 @@ class CutTissueTest : public QObject {
   void structuresHavePatterns_data();
   void structuresHavePatterns();
   void hullsAreBlank();
+  void hullsAreFoundOnce();
   void openFacesArePaper_data();
   void openFacesArePaper();
   void layerOfItsOwn_data();
@@ -119,6 +121,31 @@ void CutTissueTest::hullsAreBlank() {
       {.name = "thing", .mesh = test::moved(*test::sphere(2.0f, 3), 1.0f, {13.0f, 13.0f, 13.0f})});
   scene.append({.name = "surface 1", .mesh = test::sphere(20.0f, 3)});
   QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(CutPattern::plain));
+}
+
+/// A picture in which no surface is another asks again for nothing.
+void CutTissueTest::hullsAreFoundOnce() {
+  model::Scene scene;
+  const model::NodeId hull = scene.append({.name = "hull", .mesh = test::sphere(20.0f, 6)});
+  for (int i = 0; i < 20; ++i)
+    scene.append({.name = "beside",
+                  .mesh = test::moved(*test::sphere(2.0f, 2), 1.0f, {13.0f, 13.0f, 13.0f})});
+  render::Hulls hulls;
+  const auto asked = [&] {
+    QElapsedTimer clock;
+    clock.start();
+    hulls.take(scene);
+    const bool around = hulls.isAroundOthers(scene.find(hull)->mesh);
+    return std::pair(around, clock.nsecsElapsed());
+  };
+  const auto [first, firstTime] = asked();
+  const auto [second, secondTime] = asked();
+  QVERIFY(!first && !second);
+  qInfo("20 surfaces in the box of one of %zu triangles: %lld us, asked again %lld us",
+        scene.find(hull)->mesh->triangleCount(), firstTime / 1000, secondTime / 1000);
+  QVERIFY(10 * secondTime < firstTime);
+  scene.append({.name = "within", .mesh = test::sphere(2.0f, 2)});
+  QVERIFY(asked().first);
 }
 
 void CutTissueTest::openFacesArePaper_data() {

@@ -270,6 +270,12 @@ class PageEngineTest : public QObject {
     QVERIFY(box.low.x >= 0.0f && box.low.y >= 0.0f && box.high.x <= size.x && box.high.y <= size.y);
     const glm::vec2 middle = box.middle() / PageEngine::millimetres;
     QCOMPARE(engine.pick(middle).label, id);
+    // The dot at the leader's end is the label's, whatever lines pass there.
+    const render::PlacedLabel& placed = engine.labels().labels.front();
+    QVERIFY(!placed.hidden && !placed.leader.empty());
+    const glm::vec2 dot = placed.leader.front() / PageEngine::millimetres;
+    QCOMPARE(engine.pick(dot + glm::vec2(2.0f, -1.0f)).label, id);
+    QCOMPARE(engine.pick(dot + glm::vec2(12.0f, 0.0f)).label, model::AnnotationId{});
   }
 
   /// Labels that were found for a page stand in the pictures that show what they name, and nowhere

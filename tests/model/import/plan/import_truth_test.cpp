@@ -65,6 +65,8 @@ const std::map<QString, glm::vec3>& body() {
                                                    {"right a", {-40, 0, 0}},
                                                    {"left b", {-30, 0, 20}},
                                                    {"right b", {30, 0, 20}},
+                                                   {"left e", {45, 0, 60}},
+                                                   {"right e", {-45, 0, 60}},
                                                    {"left c", {35, 0, 40}},
                                                    {"right c", {-35, 0, 40}}};
   return places;
@@ -166,6 +168,8 @@ class ImportTruthTest : public QObject {
   void theOtherSideIsTold_data();
   void theOtherSideIsTold();
   void aScanChangesNothing();
+  void foldersOfDifferentFrames_data();
+  void foldersOfDifferentFrames();
   void besideASceneThatNamesIt();
   void besideASceneFile();
 };
@@ -439,6 +443,60 @@ void ImportTruthTest::besideASceneThatNamesIt() {
     QCOMPARE(node.provenance.frame, std::string("RAS"));
     QVERIFY(node.provenance.evidence.isSure());
   }
+}
+
+/// Folders of one import may be written by programs of different habits.
+void ImportTruthTest::foldersOfDifferentFrames_data() {
+  QTest::addColumn<QStringList>("first");
+  QTest::addColumn<QStringList>("second");
+  QTest::addColumn<bool>("beside");  // files that state their frame lie around them
+  QTest::addColumn<QString>("outcome");
+  const QStringList pair{"left e", "right e"};
+  const QStringList many{"left a",       "right a", "left c", "right c", "left kidney",
+                         "right kidney", "liver",   "spleen", "appendix"};
+  QTest::newRow("pair against pair")
+      << QStringList{"left a", "right a"} << pair << false << "right, right";
+  QTest::newRow("many against one") << many << pair << false << "right, marked, wrong";
+  QTest::newRow("where they fit") << QStringList{"growth"} << QStringList{"left ureter"} << true
+                                  << "right, right";
+}
+
+void ImportTruthTest::foldersOfDifferentFrames() {
+  QFETCH(QStringList, first);
+  QFETCH(QStringList, second);
+  QFETCH(bool, beside);
+  QFETCH(QString, outcome);
+  const glm::vec3 shift(0.0f, -250.0f, 0.0f);
+  const QTemporaryDir folder;
+  const auto put = [&](const char* in, const QStringList& organs, const Written& how) {
+    QDir(folder.path()).mkdir(in);
+    for (const QString& organ : organs)
+      test::writeMesh(folder.filePath(QString("%1/%2.ply").arg(in, organ)),
+                      *test::octahedron(inFile(body().at(organ) + shift, how.frame), radius),
+                      how.how == Header::own ? std::optional(how.frame) : std::nullopt);
+  };
+  put("a", first, {Frame::lps, Header::none, shift});
+  put("b", second, {Frame::ras, Header::none, shift});
+  if (beside)
+    put("c", {"descending colon", "spine", "urinary bladder", "right femur"},
+        {Frame::lps, Header::own, shift});
+  ImportOptions options;
+  options.smoothing.mode = Smoothing::Mode::off;
+  const auto imported =
+      importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, options);
+  QVERIFY(imported.ok());
+  const auto toldOf = [&](const QStringList& organs) {
+    bool right = true;
+    bool sure = true;
+    for (const QString& organ : organs) {
+      const Node& node = test::named(imported->scene, organ.toStdString());
+      right = right && glm::length(node.mesh->bounds().centre() - body().at(organ) - shift) < 0.1f;
+      sure = sure && node.provenance.evidence.isSure();
+    }
+    return right ? QString(sure ? "right" : "marked, right")
+                 : QString(sure ? "wrong and nothing says so" : "marked, wrong");
+  };
+  QCOMPARE(toldOf(first) + ", " + toldOf(second), outcome);
 }
 
 /// What is imported beside a scene file fits in with it.

@@ -112,9 +112,8 @@ class FileNamesTest : public QObject {
     QCOMPARE(named(imported->scene, "left kidney").provenance.part, std::string("left kidney"));
     // How many names are shorter is told once, in a line without any of them.
     QCOMPARE(imported->report.notes.size(), std::size_t(1));
-    QVERIFY(
-        imported->report.notes[0].starts_with("words that may be a person's were left out of "
-                                              "2 structures' names"));
+    QVERIFY2(imported->report.notes[0].ends_with("left out of names: 2"),
+             imported->report.notes[0].c_str());
     writeText(file, solids("80"));
     const Reloaded reloaded = reload(imported->scene, inputs);
     QCOMPARE(reloaded.meshes.size(), std::size_t(3));
@@ -134,6 +133,49 @@ class FileNamesTest : public QObject {
     for (const char* name : {"[Qzxjane bones]", "[4711]", "Qzxdoe Qzxjane femur", "Qzxdoe"})
       QVERIFY2(names.contains(QLatin1String(name)), qPrintable(names.join(", ")));
     QCOMPARE(named(scene, "Qzxdoe").provenance.file, std::string("Qzxdoe.off"));
+  }
+
+  /// What stands in a file may be a person's as well.
+  void namesInFilesNeither() {
+    const auto solid = [](const char* title, const char* x) {
+      QByteArray text = QByteArray("solid ") + title + '\n';
+      const QByteArray corners[] = {QByteArray("0 0 0"), x + QByteArray(" 0 0"), "0 9 0", "0 0 9"};
+      for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face)
+          text += "vertex " + corners[corner] + '\n';
+        text += "endloop\nendfacet\n";
+      }
+      return text + "endsolid\n";
+    };
+    QDir(m_top).removeRecursively();
+    QDir().mkpath(m_top);
+    const QString file = m_top + "/bones.stl";
+    writeText(file, solid("Qzxdoe_femur", "9") + solid("Qzxjane", "-9"));
+    const Scene scene = imported();
+    QCOMPARE(namesIn(scene), QStringList({"femur", "bones"}));
+    QCOMPARE(foundIn(sceneJson(scene)), QStringList());
+    // Marks are enough to find them again.
+    writeText(file, solid("Qzxdoe_femur", "7") + solid("Qzxjane", "-9"));
+    const Reloaded reloaded = reload(scene, std::array{std::filesystem::path(m_top.toStdString())});
+    QCOMPARE(named(reloaded.scene, "femur").mesh->bounds().high.x, 7.0f);
+    QCOMPARE(foundIn(sceneJson(reloaded.scene)), QStringList());
+  }
+
+  /// It is said that names are not whole.
+  void whatIsLeftOutIsTold() {
+    const auto told = [this](bool keep) {
+      ImportOptions options;
+      options.keepFileNames = keep;
+      const auto result =
+          importInputs(std::array{std::filesystem::path(m_top.toStdString())}, options);
+      QStringList notes;
+      for (const std::string& note : result->report.notes)
+        notes << QString::fromStdString(note);
+      return notes.join('\n');
+    };
+    QVERIFY2(told(false).contains("were left out of names: 7"), qPrintable(told(false)));
+    QVERIFY(!told(true).contains("left out of names"));
   }
 
   /// A checksum is enough to find the file again.

@@ -179,8 +179,8 @@ class ThreeMfTest : public QObject {
                        pair("3", "Upper", "5") + pair("4", "Lower", "9"),
                    "<item objectid=\"3\"/><item objectid=\"4\"/>"));
     out.close();
-    const auto imported =
-        model::importInputs(std::array{std::filesystem::path(path.toStdString())}, {});
+    const auto imported = model::importInputs(std::array{std::filesystem::path(path.toStdString())},
+                                              {.keepFileNames = true});
     QVERIFY(imported.ok());
     const model::Scene& scene = imported->scene;
     QCOMPARE(scene.nodes().size(), std::size_t(6));

@@ -29,7 +29,8 @@ class SlicerFolder {
   }
   Result<model::Imported> import(const QString& name) const {
     return model::importInputs(
-        std::array{std::filesystem::path(m_folder.filePath(name).toStdString())}, {});
+        std::array{std::filesystem::path(m_folder.filePath(name).toStdString())},
+        {.keepFileNames = true});
   }
   QByteArray read(const QString& name) const {
     QFile file(m_folder.filePath(name));

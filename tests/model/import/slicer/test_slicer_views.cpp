@@ -225,7 +225,7 @@ void SlicerViewsTest::abdomenViews() {
   QStringList names;
   for (const View& view : scene.views())
     names << QString::fromStdString(view.name);
-  QCOMPARE(names, QStringList({"General View", "Upper IG Tract", "Urinary System",
+  QCOMPARE(names, QStringList({"General View", "Upper Tract", "Urinary System",
                                "Hepatic and Portal Circulation", "Bone Structures",
                                "Slicer Data Bundle Scene View", "Slicer Data Bundle Scene View_1",
                                "3D Slicer's camera"}));

@@ -8,6 +8,7 @@ Result<model::Imported> importOf(const std::vector<std::filesystem::path>& input
   model::ImportOptions options;
   options.smoothing.mode = model::Smoothing::Mode::off;
   options.frame = frame;
+  options.keepFileNames = true;
   return model::importInputs(inputs, options);
 }
 

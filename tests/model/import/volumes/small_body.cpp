@@ -36,6 +36,7 @@ Result<model::Imported> importBytes(const QTemporaryDir& folder, const QString& 
   writeText(path, bytes);
   model::ImportOptions options;
   options.smoothing.mode = mode;
+  options.keepFileNames = true;
   return model::importInputs(std::array{std::filesystem::path(path.toStdString())}, options);
 }
 

@@ -128,7 +128,7 @@ class FigureFilesTest : public QObject {
     for (const LetteringItem& item : composed->writing.items)
       if (item.name == "sources") {
         for (const TextLine& line : item.text->lines) {
-          said += plainText(line);
+          said += plainText(line) + QChar(u' ');
           QVERIFY(textWidthMm(line, item.text->points) <= 174.0f);
         }
         foot = item.text->at.y + float(item.text->lines.size() - 1) * item.text->leading;

@@ -276,6 +276,62 @@ class FilmLabelsTest : public QObject {
       QVERIFY(!labels.plateOf(film, i).labels);
   }
 
+  /// Marks stay where they are through a film, clear of what any frame shows; on the way of a tour
+  /// there is nothing but what is said and whose work it is.
+  void marksStay_data() {
+    QTest::addColumn<int>("motion");
+    QTest::newRow("turntable") << int(Motion::turntable);
+    QTest::newRow("tour") << int(Motion::tour);
+    QTest::newRow("sweep") << int(Motion::gammaSweep);
+  }
+  void marksStay() {
+    QFETCH(int, motion);
+    ExportOrder order = tourOrder(orderOf(demoScene(model::DemoName::kidney), Motion(motion), 4));
+    order.sources = SourceCredits::line;
+    order.words.text.text = "What the view says";
+    std::vector<model::Node> nodes = order.scene.nodes();
+    for (model::Node& node : nodes)
+      node.provenance.credit = {.authors = "Who made it", .source = {}, .licence = "CC0"};
+    order.scene.setNodes(std::move(nodes));
+    // Nearer than marks leave room for.
+    order.camera.eye = order.camera.target + 0.6f * (order.camera.eye - order.camera.target);
+    const Film film = std::move(Film::create(order)).value();
+    FilmLabels labels(order);
+    QVERIFY(labels.settle(film, {}));
+    std::map<std::string, glm::vec2> places;
+    model::MeshTrees trees;
+    for (int i = 0; i < film.frames(); ++i) {
+      const FilmFrame frame = film.at(i);
+      const FigurePlate plate = labels.plateOf(film, i);
+      std::optional<SeenArea> drawn;
+      if (i % 8 == 0)
+        drawn = SeenMap(frame.scene, Screen(frame.camera, page), &trees).drawnArea();
+      for (const LetteringItem& mark : plate.marks.lettering.items) {
+        if (film.tours() && frame.moving)
+          QVERIFY2(mark.name == "sources" || mark.name == "caption" || mark.name == groundName,
+                   mark.name.c_str());
+        if (!mark.text || (film.tours() && mark.name != "sources"))
+          continue;
+        const std::string name = mark.name.starts_with("side ") && !film.tours()
+                                     ? std::string(mark.text->at.x < 20.0f            ? "left"
+                                                   : mark.text->at.x > page.x - 20.0f ? "right"
+                                                   : mark.text->at.y < 20.0f          ? "top"
+                                                                                      : "bottom")
+                                     : mark.name;
+        const auto known = places.emplace(name, mark.text->at).first;
+        QVERIFY2(glm::distance(known->second, mark.text->at) < 0.01f, mark.name.c_str());
+        if (!drawn)
+          continue;
+        const QRectF box = outlineOf(*mark.text).boundingRect();
+        const LabelBox there{{float(box.left()), float(box.top())},
+                             {float(box.right()), float(box.bottom())}};
+        const bool below = plate.marks.cutOff && there.low.y >= plate.marks.cutOff->low.y;
+        QVERIFY2(below || !drawn->anyIn(there), mark.name.c_str());
+      }
+    }
+    QVERIFY(places.contains("sources"));
+  }
+
   /// Leaders end on what they name, judged by the frames' pictures alone.
   void leadersEndOnWhatTheyName_data() {
     QTest::addColumn<int>("motion");
@@ -286,6 +342,7 @@ class FilmLabelsTest : public QObject {
       QTest::addRow("sweep, %s", name) << int(Motion::gammaSweep) << int(demo);
     }
     QTest::newRow("turntable, kidney") << int(Motion::turntable) << int(model::DemoName::kidney);
+    QTest::newRow("turntable, abdomen") << int(Motion::turntable) << int(model::DemoName::abdomen);
   }
   void leadersEndOnWhatTheyName() {
     QFETCH(int, motion);

@@ -8,9 +8,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "model/edit/views.h"
+#include "model/focus/context.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/motion/gif_palette.h"
 #include "render/labels/screen.h"
+#include "render/labels/sight.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -167,6 +169,49 @@ class FilmTest : public QObject {
   }
 
   /// The axis rests whichever way the camera is tilted.
+  /// What is in focus is seen from all sides: what lies behind it where the film begins comes to
+  /// lie before it, and is open then, in all frames alike. What was set by hand stays.
+  void theFocusIsNeverHidden() {
+    model::Scene scene;
+    const model::NodeId target = add(scene, "bladder", test::sphere(20.0f, 3));
+    std::vector<model::NodeId> around;
+    for (const auto& [name, at] : {std::pair("sacrum", glm::vec3(0.0f, 70.0f, 0.0f)),
+                                   {"left hip bone", glm::vec3(70.0f, 0.0f, 0.0f)},
+                                   {"right hip bone", glm::vec3(-70.0f, 0.0f, 0.0f)}})
+      around.push_back(add(scene, name, test::moved(*test::sphere(30.0f, 3), 1.0f, at)));
+    render::ExportOrder order = longOrder(model::AnatomicalView::anterior);
+    order.camera = model::anatomicalCamera(model::AnatomicalView::anterior, scene.visibleBounds(),
+                                           16.0f / 9.0f);
+    model::FormIndex forms;
+    const std::array<model::NodeId, 1> asked{target};
+    const auto analysis = model::analysed(scene, {.targets = asked, .camera = order.camera}, forms);
+    QVERIFY(analysis);
+    order.scene =
+        model::withFocusAndContext(scene, *analysis, model::ContextAmount::clamped(0.7f)).scene;
+    const auto hiddenFrames = [&] {
+      const Film film = std::move(Film::create(order)).value();
+      int hidden = 0;
+      for (int i = 0; i < film.frames(); ++i) {
+        const render::FilmFrame frame = film.at(i);
+        if (!(frame.scene == film.at(0).scene))
+          return -1;
+        model::MeshTrees trees;
+        const render::Sights sights(frame.scene, trees);
+        const glm::vec3 way = glm::normalize(-frame.camera.eye);
+        const auto hit = sights.nearest({.origin = frame.camera.eye, .direction = way});
+        hidden += hit && hit->structure == target ? 0 : 1;
+      }
+      return hidden;
+    };
+    QCOMPARE(hiddenFrames(), 0);
+    std::vector<model::Node> nodes = order.scene.nodes();
+    for (model::Node& node : nodes)
+      if (node.id == around[1])
+        node.style.gamma = Gamma::clamped(5.0f);
+    order.scene.setNodes(std::move(nodes));
+    QVERIFY(hiddenFrames() > 0);
+  }
+
   void theAxisRests() {
     for (const bool close : {false, true}) {
       render::ExportOrder order = longOrder();

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "model/scene/section.h"
+#include "model/scene/visible_structures.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/plate_image.h"
 #include "render/labels/screen.h"
 #include "render/lettering/typesetting.h"
 #include "tests/support/shapes.h"
@@ -27,6 +29,7 @@ model::Scene sphereScene(const char* frame = "LPS") {
   node.name = "Sphere";
   node.mesh = sphere(50.0f, 3);
   node.provenance.frame = frame;
+  node.provenance.credit = {.authors = "Who made the ball", .source = {}, .licence = "CC0"};
   scene.append(std::move(node));
   return scene;
 }
@@ -90,6 +93,7 @@ class ClearMarksTest : public QObject {
     order.legend = LegendList::all;
     order.scene.appendSection(coronal(-12.0f));
     order.words.text.text = "What the view says";
+    order.sources = SourceCredits::line;
     order.camera.projection = model::Projection::orthographic;
     order.camera.heightMm = 100.0f + 60.0f * any(random);
     order.camera.target += glm::vec3(90.0f * any(random), 0.0f, 60.0f * any(random));
@@ -115,8 +119,12 @@ class ClearMarksTest : public QObject {
         told.insert(note.names.begin(), note.names.end());
     for (const LetteringItem& item : plate.marks.lettering.items) {
       const QRectF box = boxOf(item);
-      // What the view says is never lost, and stands at the foot where it has no room.
-      QVERIFY2(!touches(box) || item.name == "caption", item.name.c_str());
+      // What the view says and whose work it is are never lost: where they have no room the
+      // picture ends above them.
+      QRectF seen = box;
+      if (plate.marks.cutOff)
+        seen.setBottom(std::min(seen.bottom(), qreal(plate.marks.cutOff->low.y)));
+      QVERIFY2(seen.height() <= 0.0 || !touches(seen), item.name.c_str());
       QVERIFY(QRectF(0, 0, 160, 90).contains(box));
       if (const LetteringItem* before = find(usual, item.name); item.name == "side R")
         QCOMPARE(box.left(), boxOf(*before).left());
@@ -128,8 +136,33 @@ class ClearMarksTest : public QObject {
         QVERIFY2(told.contains(item.name) ||
                      (item.name.starts_with("legend") && told.contains("legend")),
                  item.name.c_str());
-    if (!inTheWay)
+    QVERIFY(find(plate.marks, "caption") && find(plate.marks, "sources"));
+    const bool cut = std::any_of(
+        plate.marks.notes.begin(), plate.marks.notes.end(),
+        [](const ExportNote& note) { return note.kind == ExportNote::Kind::footCutOff; });
+    QCOMPARE(plate.marks.cutOff.has_value(), cut);
+    if (!inTheWay && !cut)
       QCOMPARE(plate.marks.lettering.items.size(), usual.lettering.items.size());
+  }
+
+  /// A camera that is fitted leaves room for what the view says, above whose work it is.
+  void fittedCamerasLeaveRoomForWords() {
+    ExportOrder order = orderOf(sphereScene());
+    order.sources = SourceCredits::line;
+    const auto heightLeft = [&] {
+      const model::FreeSides sides = sidesOfPlate(order, *m_typesetting);
+      return 1.0 - sides.top - sides.bottom;
+    };
+    const double wordless = heightLeft();
+    order.words.text.text = "What the view says.\n\nIt says more than one line of it.";
+    QVERIFY2(heightLeft() < wordless - 0.05, qPrintable(QString::number(heightLeft())));
+    order.camera = model::fittedToVisible(order.scene, order.camera, 160.0f / 90.0f,
+                                          sidesOfPlate(order, *m_typesetting));
+    const FigurePlate plate = figurePlate(order);
+    QVERIFY(!plate.marks.cutOff);
+    QVERIFY(plate.marks.caption);
+    // It stands at its usual place.
+    QCOMPARE(plate.marks.caption->low.y, marksOf(order).caption->low.y);
   }
 
  private:

@@ -34,11 +34,17 @@ ExportOrder demoOrder(model::DemoName name, std::size_t view) {
       labels.push_back(label);
     }
   scene.setAnnotations(labels);
-  const model::View& shown = scene.views()[view];
-  order.camera = shown.camera;
-  order.scene = model::withViewApplied(scene, shown).scene;
-  order.scene.setAnnotations(labels);
   order.page.sizeMm = {200.0f, 150.0f};
+  order.scene = scene;
+  order.camera = model::anatomicalCamera(
+      view == 0 ? model::AnatomicalView::anterior : model::AnatomicalView::left,
+      scene.visibleBounds(), 200.0f / 150.0f);
+  if (view < scene.views().size()) {
+    const model::View& shown = scene.views()[view];
+    order.camera = shown.camera;
+    order.scene = model::withViewApplied(scene, shown).scene;
+    order.scene.setAnnotations(labels);
+  }
   order.labels.mode = LabelMode::on;
   return order;
 }
@@ -92,7 +98,7 @@ class InkPlatesTest : public QObject {
     const FigurePlate ink = figurePlate(inInk(order));
     const std::vector<PlacedLabel>& one = colour.labels->layout.labels;
     const std::vector<PlacedLabel>& other = ink.labels->layout.labels;
-    QVERIFY2(one.size() >= 4, qPrintable(QString::number(one.size())));
+    QVERIFY2(one.size() >= 2, qPrintable(QString::number(one.size())));
     QCOMPARE(other.size(), one.size());
     for (const PlacedLabel& label : one) {
       const PlacedLabel* same = ink.labels->layout.find(label.id);

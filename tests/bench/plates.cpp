@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/bench/plates.h"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <ostream>
+
+#include "render/export/encoding/png_image.h"
+#include "render/export/plate/plate_image.h"
+#include "render/lettering/typesetting.h"
+#include "tests/support/plate_products.h"
+
+namespace sline::bench {
+
+namespace {
+
+Status keepPlate(render::Picture& picture, const render::ExportOrder& order, int height,
+                 const std::string& path, const render::Typesetting& typesetting) {
+  const glm::vec2 size = order.page.sizeMm;
+  auto image = picture.render(order.scene, order.camera,
+                              {.width = int(std::lround(float(height) * size.x / size.y)),
+                               .height = height,
+                               .environment = order.environment},
+                              1);
+  if (!image)
+    return image.error();
+  render::drawPlate(*image, order, typesetting);
+  const auto png = render::pngOf(*image, {});
+  if (!png)
+    return png.error();
+  std::ofstream(path, std::ios::binary) << *png;
+  return Unit{};
+}
+
+void printRow(std::ostream& out, const std::string& kind, int count,
+              const test::ProductProof& proof) {
+  out << std::left << std::setw(12) << kind << std::right << std::setw(9) << count << std::setw(7)
+      << proof.marks << std::setw(8) << proof.labels << std::setw(9) << proof.leftOut
+      << std::setw(13) << proof.overAnatomy << std::setw(8) << proof.labelsOver << std::setw(9)
+      << proof.pixels << std::setw(6) << proof.throughDots << std::setw(7) << proof.throughTexts
+      << std::setw(7) << proof.crossings << std::setw(8) << proof.astray << std::setw(11)
+      << proof.elsewhere << '\n';
+}
+
+}  // namespace
+
+Status countPlates(render::Picture& picture, const model::Scene& scene, const PlateCourse& course,
+                   std::ostream& out) {
+  const auto typesetting = render::Typesetting::create();
+  if (!typesetting)
+    return typesetting.error();
+  const render::DrawPicture draw = picture.drawing();
+  test::ProductTools tools;
+  std::map<std::string, std::pair<int, test::ProductProof>> sums;
+  for (int k = 0; k < course.products; ++k) {
+    const int index = k % test::mostProducts;
+    const auto product = test::productOf(scene, index, tools);
+    if (!product)
+      return product.error();
+    const auto proof = test::proved(
+        *product, draw,
+        {.judge = course.judged > 0 && k % course.judged == 0, .unruled = course.unruled}, tools);
+    if (!proof)
+      return proof.error();
+    for (const std::string& line : proof->lines)
+      out << index << ' ' << line << '\n';
+    out.flush();
+    auto& [count, sum] = sums[product->kind];
+    ++count;
+    sum.add(*proof);
+    if (course.folder.empty() || proof->clean(product->near))
+      continue;
+    for (const bool ink : {false, true})
+      for (std::size_t i = 0; i < product->colour.size(); ++i)
+        if (const Status kept =
+                keepPlate(picture, (ink ? product->ink : product->colour)[i].order, 900,
+                          course.folder + '/' + std::to_string(index) + (ink ? "-ink" : "-colour") +
+                              std::to_string(i) + ".png",
+                          **typesetting);
+            !kept)
+          return kept.error();
+  }
+  out << "kind         products  marks  labels  leftOut  overAnatomy  letters   pixels  dots  "
+         "texts  cross  "
+         "astray  elsewhere\n";
+  test::ProductProof all;
+  for (const auto& [kind, sum] : sums) {
+    printRow(out, kind, sum.first, sum.second);
+    all.add(sum.second);
+  }
+  if (course.unruled)
+    out << "uncut, " << all.overUncut << " marks and letters lie over anatomy (" << all.pixelsUncut
+        << " pixels); laid out by itself, ink has " << all.elsewhereAlone << " elsewhere\n";
+  return Unit{};
+}
+
+}  // namespace sline::bench
