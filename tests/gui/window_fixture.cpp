@@ -193,7 +193,7 @@ void writeBody(const QString& folder) {
   const model::MeshPtr ring = torus(22.0f, 8.0f, 64, 24);
   const Part parts[] = {{"Organs/left kidney", ball, {60.0f, 0.0f, 0.0f}},
                         {"Organs/right kidney", ball, {-60.0f, 0.0f, 0.0f}},
-                        {"Organs/bladder", ball, {0.0f, 10.0f, -80.0f}},
+                        {"Organs/bladder", ball, {0.0f, -10.0f, -80.0f}},
                         {"Vessels/aorta", ring, {0.0f, 0.0f, 30.0f}},
                         {"Vessels/left renal vein", ring, {20.0f, 15.0f, -20.0f}}};
   for (const Part& part : parts) {

@@ -359,6 +359,7 @@ class WindowTest : public QObject {
     QVERIFY(openBody(f));
     const widgets::Document before = f.session.document();
     const QImage pictureBefore = f.picture();
+    const QSize size = f.viewport().size();
     const QString path = f.folder.filePath(file);
     if (!text.isEmpty())
       writeText(path, text);
@@ -377,6 +378,7 @@ class WindowTest : public QObject {
     QVERIFY(message.isVisible() && placeOf(f.viewport()).top() > placeOf(message).bottom());
     QTest::mouseClick(&f.control<QWidget>("messageClose"), Qt::LeftButton);
     QVERIFY(!message.isVisible());
+    QTRY_COMPARE(f.viewport().size(), size);
     QVERIFY(f.settled());
     QCOMPARE(difference(pictureBefore, f.picture()), QRect());
   }
