@@ -29,6 +29,7 @@ Figure fullFigure() {
                 .rows = {1.0f, 0.5f, 1.0f},
                 .scene = "pelvis.sline",
                 .projection = FigureProjection::parallel,
+                .sameScale = true,
                 .letters = PanelLetters::upper,
                 .letterPoints = 12.0f,
                 .points = 8.0f,
