@@ -21,6 +21,7 @@ struct SilentFrame {
   Frame frame = Frame::lps;
   std::string reason{nothingTellsFrame};
   SideEvidence evidence{Evidence::assumed, Evidence::assumed};
+  bool fits = false;  ///< guessed by where the others lie
 };
 
 /// Returns the frame that differs in left and right alone.
@@ -156,12 +157,14 @@ class FrameDecision {
       folders[m_sources.files[part->file].file.parent_path()].parts.push_back(part);
     if (folders.size() < 2)
       return;
-    const bool sure = decided.evidence.isSure();
+    const bool sure = isSure(decided.evidence.sides);
     for (const auto& [folder, group] : folders) {
       ImportReport own;
       SilentFrame apart = silentFrame(group, own);
       const bool other = apart.frame != decided.frame;
-      if (!apart.evidence.isSure() || (sure && !other))
+      // A guess of its own is better than one of all together.
+      const bool tells = isSure(apart.evidence.sides) || (apart.fits && !sure);
+      if (!tells || (sure && !other))
         continue;
       // Where all together are clear, names of a folder alone may be odd ones: a person decides.
       if (sure && apart.reason.starts_with(votedFrame)) {
@@ -172,7 +175,7 @@ class FrameDecision {
       if (other)
         report.warnings.push_back(
             {folder.filename().string(),
-             sure && !apart.evidence.isSure()
+             sure && !isSure(apart.evidence.sides)
                  ? "names of sides in this folder contradict the frame of the others, " +
                        frameName(decided.frame) + "; it was taken, and is not certain here"
                  : "the files of this folder are read as " + frameName(apart.frame) +
@@ -262,7 +265,7 @@ class FrameDecision {
     else if (vote.isClear())
       decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::assumed}};
     else if (fit.frame)
-      decided = {*fit.frame, fit.reason, {Evidence::assumed, Evidence::assumed}};
+      decided = {*fit.frame, fit.reason, {Evidence::assumed, Evidence::assumed}, true};
     else
       decided = weakly(vote, front);
     if (front.toTheBack() == axesOf(decided.frame).posterior)

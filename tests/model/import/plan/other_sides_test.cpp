@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that a structure on the other side than its name says is told of on every way in, and that
+// every way in says the same of sides.
+#include <QtTest>
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "model/import/naming/laterality.h"
+#include "model/import/plan/plan.h"
+#include "model/import/plan/read_inputs.h"
+#include "model/scene/known_frame.h"
+#include "model/scene_file/scene_file.h"
+#include "tests/model/import/volumes/written_volumes.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+
+namespace {
+
+/// The middles of organs in LPS, millimetres.
+const std::map<QString, glm::vec3>& body() {
+  static const std::map<QString, glm::vec3> places{{"liver", {-70, -30, 10}},
+                                                   {"spleen", {80, 20, 15}},
+                                                   {"spine", {0, 60, -5}},
+                                                   {"left kidney", {50, 40, -40}},
+                                                   {"right kidney", {-50, 40, -45}},
+                                                   {"left ureter", {40, 30, -90}},
+                                                   {"right ureter", {-40, 30, -90}},
+                                                   {"right femur", {-90, 10, -200}},
+                                                   {"descending colon", {85, 10, -60}},
+                                                   {"appendix", {-80, 0, -110}},
+                                                   {"growth", {30, -10, -20}}};
+  return places;
+}
+
+constexpr float radius = 12.0f;
+
+}  // namespace
+
+class OtherSidesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void theOtherSideIsTold_data();
+  void theOtherSideIsTold();
+  void aScanChangesNothing();
+};
+
+/// Whatever the others say of the frame.
+void OtherSidesTest::theOtherSideIsTold_data() {
+  QTest::addColumn<QStringList>("organs");
+  QTest::addColumn<QStringList>("swapped");  // left and right
+  QTest::addColumn<QString>("told");
+  const auto row = [](const char* tag, const QStringList& organs, const QStringList& swapped,
+                      const char* told) {
+    QTest::newRow(tag) << organs << swapped << QString(told);
+  };
+  const QStringList kidneys{"left kidney", "right kidney"};
+  row("nothing", {"liver", "spleen", "spine", "left kidney", "right kidney"}, {}, "");
+  row("a pair", {"liver", "spleen", "appendix", "descending colon", "left kidney", "right kidney"},
+      kidneys, "\"left kidney\", \"right kidney\" lie on the other side than their names say");
+  row("one of several without a pair", {"liver", "spleen", "right ureter", "left kidney"},
+      {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
+  row("one beside the spine", {"left ureter", "right femur", "spine", "left kidney"},
+      {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
+}
+
+void OtherSidesTest::theOtherSideIsTold() {
+  QFETCH(QStringList, organs);
+  QFETCH(QStringList, swapped);
+  QFETCH(QString, told);
+  for (const std::optional<Frame> stated : {std::optional<Frame>(), std::optional(Frame::ras)}) {
+    const QTemporaryDir folder;
+    for (const QString& organ : organs) {
+      glm::vec3 middle = body().at(organ);
+      middle.x = swapped.contains(organ) ? -middle.x : middle.x;
+      test::writeMesh(folder.filePath("body/" + organ + ".ply"),
+                      *test::octahedron(halfTurn(middle), radius), stated);
+    }
+    const std::filesystem::path root(folder.path().toStdString());
+    const auto says = [&told](const ImportReport& report) {
+      const auto about = [](const ImportWarning& w) {
+        return w.reason.find("other side") != std::string::npos;
+      };
+      const auto found = std::find_if(report.warnings.begin(), report.warnings.end(), about);
+      return found == report.warnings.end() ? told.isEmpty()
+                                            : QString::fromStdString(found->reason) == told;
+    };
+    const auto imported = importInputs(std::array{root / "body"}, {});
+    QVERIFY(imported.ok());
+    QCOMPARE(imported->report.frame, Frame::ras);
+    QVERIFY2(says(imported->report), qPrintable(test::warningsOf(*imported)));
+    const auto plan = planImport(std::array{root / "body"}, {});
+    QVERIFY(plan.ok() && says(plan->report));
+    QVERIFY(writeSceneFile(root / "body.sline", {.scene = imported->scene}).ok());
+    const auto opened = importInputs(std::array{root / "body.sline"}, {});
+    QVERIFY(opened.ok() && says(opened->report));
+  }
+}
+
+/// A scan that is kept, or read for a plan, says nothing of surfaces beside it.
+void OtherSidesTest::aScanChangesNothing() {
+  const QTemporaryDir folder;
+  test::writeMesh(folder.filePath("growth.ply"),
+                  *test::octahedron(halfTurn(body().at("growth")), radius));
+  glm::dmat4 place(1.0);
+  for (int axis = 0; axis < 3; ++axis)
+    place[axis][axis] = 4.0;
+  // Read as LPS the growth lies within, read as RAS beside it.
+  place[3] = glm::dvec4(-90.0, -60.0, -60.0, 1.0);
+  const auto grey = [](const glm::dvec3& p) { return int(500.0 + 7.0 * p.x + 3.0 * p.y + p.z); };
+  test::writeText(folder.filePath("ct.nrrd"),
+                  test::nrrdFile(test::sampled(glm::ivec3(24), place, grey),
+                                 "left-posterior-superior", "raw", test::Number::int16));
+  const std::array inputs{std::filesystem::path(folder.path().toStdString())};
+  const auto told = [](const Scene& scene) {
+    const Provenance& from = test::named(scene, "growth").provenance;
+    return QString::fromStdString(from.frame + ": " + from.frameReason) +
+           (from.evidence.isSure() ? "" : "?");
+  };
+  const auto plan = planImport(inputs, {});
+  QVERIFY(plan.ok() && !plan->read->scans.empty());
+  for (const bool keep : {false, true}) {
+    ImportOptions options;
+    options.keepScans = keep;
+    const auto imported = importInputs(inputs, options);
+    QVERIFY(imported.ok());
+    QCOMPARE(told(imported->scene), QString("LPS: %1?").arg(nothingTellsFrame.data()));
+    QCOMPARE(told(plan->scene), told(imported->scene));
+  }
+}
+
+SLINE_TEST(OtherSidesTest)
+#include "other_sides_test.moc"
