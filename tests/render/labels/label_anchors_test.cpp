@@ -209,7 +209,7 @@ class LabelAnchorsTest : public QObject {
         {.plane = {.normal = glm::normalize(glm::vec3(0.0f, -1.0f, 0.7f)), .offset = 0.0f}});
     const Screen screen(front(), paper);
     const SeenMap map(scene, screen);
-    point(scene, id, {0.0f, -0.6f, -0.8f});
+    point(scene, id, {0.0f, -0.3f, -0.95f});
     const model::Anchor rim = scene.annotations().front().anchors.front();
     for (const auto& before : {std::optional<model::Anchor>(), std::optional(rim)}) {
       const auto place = map.find(id, before);
@@ -264,10 +264,10 @@ class LabelAnchorsTest : public QObject {
       const auto measure = [&scene](const glm::vec3& from, const glm::vec3& to) {
         scene.appendAnnotation({.kind = model::AnnotationKind::distance, .anchors = {from, to}});
       };
-      measure({-5.0f, 12.0f, 0.0f}, {5.0f, 12.0f, 0.0f});
-      measure({-5.0f, 60.0f, 0.0f}, {5.0f, 60.0f, 0.0f});
-      measure({-5.0f, -10.0f, 0.0f}, {5.0f, -10.0f, 0.0f});
-      measure({60.0f, 12.0f, 0.0f}, {70.0f, 12.0f, 0.0f});
+      measure({-5.0f, 12.0f, 3.3f}, {6.0f, 12.0f, 7.1f});
+      measure({-5.0f, 60.0f, 3.3f}, {6.0f, 60.0f, 7.1f});
+      measure({-5.0f, -10.0f, 3.3f}, {6.0f, -10.0f, 7.1f});
+      measure({60.0f, 12.0f, 3.3f}, {70.0f, 12.0f, 3.3f});
       const std::vector<ShownLabel> labels = shown(scene);
       QCOMPARE(labels.size(), std::size_t(4));
       QCOMPARE(labels[0].item.hidden, solid);
