@@ -75,16 +75,15 @@ class SeenLayer {
     return what == SeenCell::What::surface || what == SeenCell::What::cutFace;
   }
   /// Tells whether another surface that is no nearer than this one's cell may hide it all the same:
-  /// the two touch, and which of them a picture shows changes from pixel to pixel. Of two cut faces
-  /// it is known.
+  /// the two touch, and which of them a picture shows changes from pixel to pixel. Of cut faces
+  /// that are not equally large it is known.
   bool touches(const SeenCell& cell, const SeenCell& other) const {
-    return other.depth >= cell.depth && mayLieBefore(cell, other);
+    return other.depth >= cell.depth && other.depth < cell.depth + slackBetween(cell, other);
   }
   /// Tells whether this surface may be what a picture shows of the two, as it is nearer or touches
   /// the other.
   bool mayLieBefore(const SeenCell& cell, const SeenCell& other) const {
-    const bool cuts = cell.what == SeenCell::What::cutFace && other.what == cell.what;
-    return cell.depth < other.depth + (cuts ? 0.0f : m_touch);
+    return cell.depth < other.depth + slackBetween(cell, other);
   }
   /// Tells whether two cells show faces of one cut, of which none lies in front of the other.
   bool inOneFace(const SeenCell& cell, const SeenCell& other) const {
@@ -135,6 +134,11 @@ class SeenLayer {
   void take(int x, int y, const SeenCell& cell);
   model::CutFaces facesOf(const SeenCell& cell) const {
     return cell.face < m_faces.size() ? m_faces[cell.face] : model::CutFaces::tissue;
+  }
+  float slackBetween(const SeenCell& cell, const SeenCell& other) const {
+    const bool cuts = cell.what == SeenCell::What::cutFace && other.what == cell.what;
+    constexpr float oneStep = 4e-7f;  // of faces as large as each other (inFront)
+    return cuts ? oneStep * std::abs(cell.depth) : m_touch;
   }
   void findCutFaces(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
   void findOutlines(float pen);
