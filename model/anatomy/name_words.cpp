@@ -90,6 +90,9 @@ std::vector<std::string> nameWords(std::string_view name) {
 
 std::vector<std::string> affirmedWords(std::string_view name) {
   const Words words = nameWords(beforeSubtraction(name));
+  // "PTV bladder" is for the bladder's tumour, and "PTV-Bladder" without the bladder.
+  if (!words.empty() && isOneOf(words.front(), targets))
+    return {words.front()};
   Words affirmed;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (isOneOf(words[i], takeTheRest))

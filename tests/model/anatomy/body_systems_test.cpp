@@ -114,7 +114,7 @@ void BodySystemsTest::systems_data() {
       {"PTV-Bladder", "lesion"},
       {"GTV-1", "lesion"},
       {"liver without tumour", "digestive"},
-      {"Leber ohne Tumor", "digestive"},
+      {"Leber ohne Tumor", ""},
       {"non-tumor liver", "digestive"},
       {"no tumour", ""},
       {"Tumor_free_margin", ""},
