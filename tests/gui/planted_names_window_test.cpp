@@ -65,7 +65,10 @@ class PlantedNamesWindowTest : public QObject {
         if (!dialog || !dialog->isVisible())
           continue;
         m_dialogs << action->objectName();
-        verifyClean(action->text(), offeredBy(*dialog));
+        // Who looks for a file to read is shown the folders of this machine.
+        const auto* files = qobject_cast<QFileDialog*>(dialog);
+        if (!files || files->acceptMode() == QFileDialog::AcceptSave)
+          verifyClean(action->text(), offeredBy(*dialog));
         dialog->reject();
       }
       QTest::qWait(10);
@@ -94,14 +97,14 @@ class PlantedNamesWindowTest : public QObject {
     QVERIFY(f.settled());
     QVERIFY(f.session.document().opening != 0);
     verifyClean("the window", offeredBy(f.window));
-    if (QTest::currentDataTag() == QByteArray("a folder"))
-      verifyDialogs(f);
     f.control<QAction>("copyPicture").trigger();
     QTRY_VERIFY(QApplication::clipboard()->mimeData()->hasImage());
     for (const QString& format : QApplication::clipboard()->mimeData()->formats())
       if (format.startsWith("text/"))
         verifyClean(format,
                     {QString::fromUtf8(QApplication::clipboard()->mimeData()->data(format))});
+    if (QTest::currentDataTag() == QByteArray("a folder"))
+      verifyDialogs(f);
   }
 
   void importDialog() {

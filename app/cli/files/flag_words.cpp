@@ -9,7 +9,8 @@ namespace {
 
 constexpr FlagWords rows[] = {
     {"put them together on purpose", "--together"},
-    {"which come from those of files", "`sline import --keep-file-names` keeps them"},
+    {"but may be a person's name, were left out of names",
+     "`sline import --keep-file-names` keeps them"},
     {"Give a threshold that makes a structure of it",
      "--threshold NAME=VALUE, or --threshold bone, skin or vessels"},
     {"made of the images, or from a threshold", "--threshold bone"},

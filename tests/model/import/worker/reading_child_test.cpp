@@ -99,7 +99,7 @@ class ReadingChildTest : public QObject {
     for (const char* deed : {"crash", "mesh", "throw"})
       writeText(folder.filePath(QStringLiteral("%1.dcm").arg(QLatin1String(deed))), deed);
     const std::vector<std::filesystem::path> inputs{folder.path().toStdString()};
-    const Result<model::Imported> imported = model::importInputs(inputs, {});
+    const Result<model::Imported> imported = model::importInputs(inputs, {.keepFileNames = true});
     QVERIFY2(imported.ok(), imported ? "" : imported.error().text().c_str());
     QCOMPARE(imported->scene.named("made").size(), std::size_t(1));
     int crashes = 0;
