@@ -79,7 +79,8 @@ class ExportLinksTest : public QObject {
     QFETCH(QStringList, flags);
     const QStringList files = exported(kind, name, flags);
     QVERIFY(!files.isEmpty());
-    const QStringList marks{"](#", "#view=", "#structure="};
+    // Packed pixels may hold any three bytes by chance.
+    const QStringList marks{"](#vi", "](#st", "#view=", "#structure="};
     for (const QString& file : files) {
       QFile source(file);
       QVERIFY(source.open(QIODevice::ReadOnly));
