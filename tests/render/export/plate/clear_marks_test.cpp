@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that marks keep off anatomy.
+// Tests that marks keep off anatomy, labels and each other.
 #include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -163,6 +163,59 @@ class ClearMarksTest : public QObject {
     QVERIFY(plate.marks.caption);
     // It stands at its usual place.
     QCOMPARE(plate.marks.caption->low.y, marksOf(order).caption->low.y);
+  }
+
+  void nothingCoversAnything_data() {
+    QTest::addColumn<QSizeF>("page");
+    QTest::addColumn<double>("points");
+    QTest::addColumn<QString>("view");
+    QTest::newRow("usual") << QSizeF(160, 90) << 10.0 << "anterior";
+    QTest::newRow("upright") << QSizeF(90, 160) << 10.0 << "posterior";
+    QTest::newRow("small") << QSizeF(50, 40) << 8.0 << "left";
+    QTest::newRow("tiny") << QSizeF(20, 15) << 10.0 << "anterior";
+    QTest::newRow("large letters") << QSizeF(160, 120) << 24.0 << "superior";
+    QTest::newRow("a long name") << QSizeF(160, 90) << 10.0
+                                 << "A view of the sphere in the clinical situation of last week, "
+                                    "from somewhere in front and below";
+  }
+
+  void nothingCoversAnything() {
+    QFETCH(QSizeF, page);
+    QFETCH(double, points);
+    QFETCH(QString, view);
+    model::Scene scene = sphereScene();
+    const model::Node& node = scene.nodes().front();
+    std::vector<model::Annotation> annotations;
+    for (std::uint32_t i = 0; i < 18; ++i) {
+      model::Annotation annotation;
+      annotation.kind = model::AnnotationKind(i % 3);
+      annotation.anchors = {model::SurfacePoint{node.id, 70 * i, {0.3f, 0.3f}}};
+      annotation.text = "Structure of that name " + std::to_string(i);
+      annotations.push_back(annotation);
+    }
+    for (const model::Annotation& annotation : annotations)
+      scene.appendAnnotation(annotation);
+    scene.appendSection(coronal(0.0f));
+    ExportOrder order = orderOf(scene, view.toUtf8().constData());
+    order.page.sizeMm = {float(page.width()), float(page.height())};
+    order.labels = {.mode = LabelMode::on, .points = float(points), .language = {}};
+    const FigurePlate plate = figurePlate(order);
+    std::vector<QRectF> boxes;
+    for (const LetteringItem& item : plate.marks.lettering.items)
+      boxes.push_back(boxOf(item));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      QVERIFY(QRectF(QPointF(), page).contains(boxes[i]));
+      for (std::size_t k = i + 1; k < boxes.size(); ++k)
+        QVERIFY(!boxes[i].intersects(boxes[k]));
+      for (const PlacedLabel& label : plate.labels->layout.labels)
+        QVERIFY(!boxes[i].intersects(
+            QRectF(QPointF(double(label.box.low.x), double(label.box.low.y)),
+                   QPointF(double(label.box.high.x), double(label.box.high.y)))));
+    }
+    if (page.width() > 60.0)
+      QVERIFY(!plate.labels->layout.labels.empty());
+    if (page.width() > 30.0)
+      QVERIFY(boxes.size() >= 5);
   }
 
  private:
