@@ -206,10 +206,11 @@ std::string shownName(std::string_view name) {
     const std::string_view piece(&*begin, std::size_t(end - begin));
     // Three numbers may be a date of birth.
     const bool number = std::all_of(piece.begin(), piece.end(), isDigit);
+    const std::string lower = lowerCase(piece);
     numbers += number ? 1 : 0;
-    const Telling telling = target && number && isDose(piece) ? Telling::something
-                            : number && numbers > 2           ? Telling::unknown
-                                                              : tellingOfPiece(piece, target);
+    const Telling telling = target && isDose(withoutUnit(lower)) ? Telling::something
+                            : number && numbers > 2              ? Telling::unknown
+                                                                 : tellingOfPiece(piece, target);
     if (telling == Telling::unknown) {
       whole = false;
       continue;

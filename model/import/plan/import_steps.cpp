@@ -204,13 +204,15 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                                                  [](const Part& part) { return part.nameCut; }));
   FurnishedScene furnished = withViewsAndAnnotations(std::move(built), read.sources, options);
   Imported imported{.scene = std::move(furnished.scene), .report = decided.report};
-  tellCutNames(cut + furnished.namesCut, imported.report.notes);
+  const std::size_t namesCut = cut + furnished.namesCut;
+  tellCutNames(namesCut, imported.report.notes);
   imported.scene.setTraces(read.traces);
   const NewIds ids = putScenesBefore(imported, read, options);
   ImportPlan plan{.inputs = read.inputs,
                   .options = options,
                   .scene = std::move(imported.scene),
-                  .report = std::move(imported.report)};
+                  .report = std::move(imported.report),
+                  .namesCut = namesCut};
   for (const auto& [id, number] : numbers)
     plan.parts[ids.at(id)] = number;
   return plan;
@@ -251,6 +253,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
     if (const Status left = checkAnythingLeft(decided, read); !left.ok())
       return left.error();
   Imported imported{.report = std::move(report)};
+  tellCutNames(plan.namesCut, imported.report.notes);
   putScenesBefore(imported, read, options);
   imported.scene = withSurfaces(plan, std::move(parts));
   const Scene whole = withSurroundings(imported, options);

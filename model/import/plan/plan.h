@@ -45,6 +45,7 @@ struct ImportPlan {
   StructureChoices choices;                  ///< by the ids of `scene`
   std::map<NodeId, std::size_t> parts = {};  ///< index of the part that each structure is
   std::shared_ptr<const ReadInputs> read = nullptr;
+  std::size_t namesCut = 0;  ///< names from which words were left out that may be a person's
 
   /// Returns the choices made for the node; as the options say where there are none.
   StructureChoice choiceOf(NodeId id) const;
