@@ -78,11 +78,12 @@ class GroupNames {
   explicit GroupNames(bool keepNames) : m_keep(keepNames) {}
 
   std::string ofFolder(const std::string& folder) { return of(readableName(folder)); }
-  /// Names the group of a molecule, which its reader calls after the file: "2src, assembly 1".
+  /// Names the group of a molecule, which its reader calls after the file and the title in it:
+  /// "2SRC – Human tyrosine kinase, assembly 1". Entries of the Protein Data Bank are no one's.
   std::string ofEntry(const std::string& given) {
-    const std::size_t end = std::min(given.find(", assembly "), given.size());
-    const std::string entry = given.substr(0, end);
-    return (isEntryFile(entry) ? entry : of(entry, "molecule")) + given.substr(end);
+    const std::size_t assembly = std::min(given.rfind(", assembly "), given.size());
+    const std::string entry = given.substr(0, std::min(given.find(" – "), assembly));
+    return isEntryFile(entry) ? given : of(entry, "molecule") + given.substr(assembly);
   }
   std::string of(const std::string& given, const std::string& other = "group") {
     if (m_keep || mayBeShown(given))
