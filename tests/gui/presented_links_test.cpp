@@ -136,8 +136,8 @@ class PresentedLinksTest : public QObject {
     QCOMPARE(f.at(), 1);
     // The quiz hides them.
     QTest::keyClick(&f.viewport(), Qt::Key_Q);
+    QTRY_VERIFY(f.links().areas().empty());
     QVERIFY(f.settled());
-    QVERIFY(f.links().areas().empty());
     QTest::keyClick(&f.viewport(), Qt::Key_Escape);
     QVERIFY(f.settled());
     QTRY_COMPARE(f.links().areas().size(), std::size_t(3));

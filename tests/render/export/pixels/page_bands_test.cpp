@@ -138,7 +138,10 @@ void PageBandsTest::aLegendAloneIsDrawn() {
   const render::PixelRows without = drawn(order, bands);
   order.legend = render::LegendList::all;
   QVERIFY(apart(without, drawn(order, bands)).largest > 100.0);
-  order.camera = frontal(12.0f);  // anatomy from edge to edge
+  // A ball from edge to edge.
+  order.camera = frontal(12.0f);
+  order.camera.eye += glm::vec3(-30.0f, 0.0f, 5.0f);
+  order.camera.target += glm::vec3(-30.0f, 0.0f, 5.0f);
   const auto overlay = render::PageOverlay::create(order, pixelsOf(order.page));
   QVERIFY(overlay.ok());
   const render::ExportNotes& notes = (*overlay)->notes();
