@@ -77,7 +77,12 @@ class GroupNames {
  public:
   explicit GroupNames(bool keepNames) : m_keep(keepNames) {}
 
-  std::string ofFolder(const std::string& folder) { return of(readableName(folder)); }
+  std::string ofFolder(const std::string& folder) {
+    const std::size_t before = m_names.size();
+    std::string name = of(readableName(folder));
+    m_folders += m_names.size() - before;
+    return name;
+  }
   /// Names the group of a molecule, which its reader calls after the file and the title in it:
   /// "2SRC – Human tyrosine kinase, assembly 1". Entries of the Protein Data Bank are no one's.
   std::string ofEntry(const std::string& given) {
@@ -97,11 +102,13 @@ class GroupNames {
       name = (shown.empty() ? other : shown) + ' ' + std::to_string(number);
     return known->second = name;
   }
-  /// Tells how many names are not whole.
-  std::size_t cut() const { return m_names.size(); }
+  /// Tells how many names are not whole, beside those of folders, which tell nothing of a
+  /// structure.
+  std::size_t cut() const { return m_names.size() - m_folders; }
 
  private:
   bool m_keep;
+  std::size_t m_folders = 0;  ///< of the names those of folders
   std::map<std::string, std::string> m_names;
   std::set<std::string> m_taken;
 };
