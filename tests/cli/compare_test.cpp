@@ -203,8 +203,8 @@ void CompareTest::wrongUse_data() {
   row("unknown noise", {m_ring, "-o", svg, "--noise", "hiss"}, 2, "staircase");
   row("bad noise", {m_ring, "-o", svg, "--noise", "jitter=x"}, 2, "0 to 20");
   row("unknown view", {m_ring, "-o", svg, "--view", "inside"}, 1, "anterior");
-  row("unknown kind", {m_ring, "-o", m_folder.filePath("no.gif")}, 2, "png, pdf or svg");
-  row("over its input", {m_ring, "-o", m_ring}, 2, "png, pdf or svg");
+  row("unknown kind", {m_ring, "-o", m_folder.filePath("no.gif")}, 2, "pdf, svg, png or tiff");
+  row("over its input", {m_ring, "-o", m_ring}, 2, "pdf, svg, png or tiff");
   row("small cells", {m_ring, "-o", svg, "--cell-mm", "1"}, 2, "--cell-mm");
   row("missing file", {m_folder.filePath("none.obj"), "-o", svg}, 1, "none.obj");
   row("broken mesh", {m_ring, m_broken, "-o", svg}, 1, "broken.obj");
