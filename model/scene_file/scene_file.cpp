@@ -190,8 +190,6 @@ SceneParts partsByName(const Scene& scene) {
 
 /// Reads what is about to be written, so that nothing is that could not be read again.
 Status checkReadable(const std::string& text, const Scene& scene) {
-  if (const std::optional<Error> fault = limitFault(scene))
-    return *fault;
   constexpr const char* remedy = "Undo what brought it into the scene, and save again";
   Result<Json> root = parseJson(text, sceneJsonLimits);
   if (!root.ok())
@@ -235,6 +233,8 @@ std::string SceneDocument::warning() const {
 }
 
 Result<std::string> sceneFileBytes(const SceneDocument& document) {
+  if (const std::optional<Error> fault = limitFault(document.scene))
+    return *fault;
   std::vector<ZipMember> members{{std::string(sceneMember), sceneJson(document.scene)}};
   if (const Status readable = checkReadable(members[0].bytes, document.scene); !readable.ok())
     return readable.error();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -91,7 +90,7 @@ Result<Json> parseJson(std::string_view text, const JsonLimits& limits) {
 }
 
 double jsonNumber(float value) {
-  assert(std::isfinite(value));
+  // Where it is not finite after all, null is written, which readers refuse.
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   double nearest = double(value);

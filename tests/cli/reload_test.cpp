@@ -152,11 +152,11 @@ void ReloadTest::savedViews() {
     return finished.code == 0 ? readPicture(file) : Pixels();
   };
   QVERIFY(tinted(drawn({"--view", "anterior"}), 0).count > 500);
-  const Pixels blue = drawn({"--view", "blue kidney"});
+  const Pixels blue = drawn({"--view", "kidney"});
   QVERIFY(tinted(blue, 2).count > 500);
   QCOMPARE(tinted(blue, 0).count, 0);
   // Flags override the view.
-  QVERIFY(tinted(drawn({"--view", "blue kidney", "--color", "kidney=#ff0000"}), 0).count > 500);
+  QVERIFY(tinted(drawn({"--view", "kidney", "--color", "kidney=#ff0000"}), 0).count > 500);
 }
 
 }  // namespace sline::test

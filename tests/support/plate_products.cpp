@@ -104,10 +104,16 @@ class Making {
     model::OpeningWishes wishes{.view = m_side.view, .aspect = aspect};
     if (!m_side.view)
       wishes.camera = obliqueCamera(scene, aspect);
+    const model::Scene whole = scene;
     if (m_cut)
       scene.appendSection({.plane = model::anatomicalPlane(model::AnatomicalView::anterior,
                                                            scene.visibleBounds().centre().y)});
-    const auto look = model::openingLook(scene, m_tools.forms, wishes);
+    auto look = model::openingLook(scene, m_tools.forms, wishes);
+    if (!look) {
+      // The cut leaves nothing of what the scene is about.
+      look = model::openingLook(whole, m_tools.forms, wishes);
+      m_cut = false;
+    }
     if (!look)
       return Error{.reason = "the scene shows nothing", .remedy = "Choose another"};
     m_camera = look->camera;

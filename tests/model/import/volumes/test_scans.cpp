@@ -203,7 +203,8 @@ void ScansTest::whatIsRefused_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<double>("low");
   QTest::addColumn<QStringList>("fragments");
-  QTest::newRow("no threshold") << "" << 0.0 << QStringList{"--threshold", "bone, skin or vessels"};
+  QTest::newRow("no threshold") << "" << 0.0
+                                << QStringList{"Give a threshold", "choose the segmentation"};
   QTest::newRow("nothing so bright") << "bone" << 5000.0 << QStringList{"5000 and more"};
 }
 
