@@ -48,6 +48,7 @@ ExportOrder FilmLabels::orderOf(const FilmFrame& frame) const {
   now.labels = m_order.labels;
   now.marks = m_order.marks;
   now.legend = m_order.legend;
+  now.sources = m_order.sources;
   return now;
 }
 
