@@ -123,10 +123,11 @@ bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go)
 
 bool FilmLabels::lookAtAnatomy(const Film& film, const std::function<bool(double)>& go) {
   // What passes between two of them reaches no farther than marks keep away.
-  constexpr int some = 36;
+  constexpr int some = 24;
   const int step = std::max(film.frames() / some, 1);
   m_drawn.reset();
-  if (film.tours() && !m_order.sourcesInPicture())
+  const bool marks = m_order.marks != ExportMarks::none() || m_order.legendInPicture();
+  if (!m_order.sourcesInPicture() && (film.tours() || !marks))
     return true;
   for (int i = 0; i < film.frames(); i += step) {
     if (!go(double(i) / double(film.frames())))
