@@ -174,7 +174,7 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
     return std::nullopt;
   const Candidates all = candidates(index->second);
   // Where a section shows the structure's inside, that is what the picture is made for.
-  constexpr float roomOnFace = 2.6f;  // λ
+  constexpr float roomOnFace = 3.6f;  // λ: a dot must not cover what it is on
   const auto face = deepest(all.cut, all.columns, all.rows);
   const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda();
   if (before)
