@@ -94,7 +94,7 @@ void ExportTest::writesGroupsAndPage() {
 void ExportTest::optionsReachTheDrawing() {
   QVERIFY(exported({}).contains("fill=\"#ffffff\""));
   QVERIFY(exported({"--background", "paper"}).contains("fill=\"#faf6ec\""));
-  QVERIFY(!exported({"--background", "transparent"}).contains("<rect"));
+  QVERIFY(!exported({"--background", "transparent"}).contains("id=\"background\""));
   QVERIFY(exported({"--ink-color", "#30405a"}).contains("#30405a"));
   QVERIFY(!labels(exported({"--only", "kidney"})).contains("renal vein"));
   QVERIFY(labels(exported({"--gamma", "5"})).contains("Fills"));
