@@ -37,17 +37,17 @@ struct Command {
 const std::map<QString, Command>& commands() {
   static const std::map<QString, Command> all{
       {"render", {{"-o", "OUT/picture.png"}}},
-      {"proof", {{"--json", "-o", "OUT/proof.sline"}}},
+      {"proof", {{"--json", "--apply", "-o", "OUT/proof.sline"}}},
       {"compare", {{"-o", "OUT/sheet.svg", "--json"}}},
       {"lines", {{"--camera", "CAMERA", "--size", "90x60", "-o", "OUT/lines.json"}}},
       {"info", {{"--json"}}},
       {"pockets", {{"--json"}}},
       {"view", {{"--list", "--json"}}},
       {"annotate", {{"--list"}}},
-      {"describe", {{"--json"}}},
+      {"describe", {{"--view", "anterior"}}},
       {"credit", {{"--json"}}},
-      {"ramp", {{"--json"}}},
-      {"steadiness", {{"--json"}}},
+      {"ramp", {{}, "measures structures that are named"}},
+      {"steadiness", {{}, "measures structures that are named"}},
       {"compose", {{}, "has a figure's file in place of a scene: see figures()"}},
       {"export", {{}, "is walked kind by kind"}},
       {"jobs", {{}, "exports"}},
@@ -237,8 +237,8 @@ class PlantedNamesTest : public QObject {
   void figures() {
     emptyOut();
     const QString figure = m_top.filePath("figure.json");
-    writeFile(figure, "{\"panels\":[{\"scene\":\"" + QFileInfo(m_scene).fileName().toUtf8() +
-                          "\",\"view\":\"front\"}]}");
+    writeFile(figure, "{\"sline_figure\":1,\"panels\":[{\"scene\":\"" +
+                          QFileInfo(m_scene).fileName().toUtf8() + "\",\"view\":\"front\"}]}");
     const Finished finished = runSline({"compose", figure, "-o", out() + "/f.svg", "-o",
                                         out() + "/f.pdf", "-o", out() + "/f.png"});
     QVERIFY2(finished.code == 0, finished.err);
