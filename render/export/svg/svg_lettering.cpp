@@ -160,10 +160,11 @@ bool appendGaps(std::string& text, std::span<const SvgWriting> writings, const s
   };
   if (std::none_of(writings.begin(), writings.end(), leavesGaps))
     return false;
-  const std::string whole = "x=\"0\" y=\"0\" width=\"" + number(double(sizeMm.x), decimals) +
-                            "\" height=\"" + number(double(sizeMm.y), decimals) + "\"";
-  text += "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" " + whole + ">\n<rect " + whole +
-          " fill=\"#ffffff\"/>\n";
+  const std::string width = number(double(sizeMm.x), decimals);
+  const std::string height = number(double(sizeMm.y), decimals);
+  text += "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\" width=\"" + width +
+          "\" height=\"" + height + "\">\n<path fill=\"#ffffff\" d=\"M0 0h" + width + "v" + height +
+          "h-" + width + "z\"/>\n";
   for (const SvgWriting& writing : writings)
     if (leavesGaps(writing))
       Layer(text, decimals).addHalos("stroke-linejoin=\"round\" ", writing.lettering, {0, 0, 0});
