@@ -103,7 +103,8 @@ void LimitsCommandTest::namesOfFiles() {
   QByteArray obj("v 0 0 0\nv 50 0 0\nv 0 50 0\nv 50 50 9\n# CC BY\n");
   obj += "g " + QByteArray(5000, 'n') + "\nf 1 2 3\ng b\xff\xfe\nf 2 3 4\n";
   writeFile(at("names.obj"), obj);
-  const Finished made = runSline({"import", at("names.obj"), "-o", at("names.sline")});
+  const Finished made =
+      runSline({"import", at("names.obj"), "-o", at("names.sline"), "--keep-file-names"});
   QVERIFY2(made.code == 0, made.err.constData());
   QVERIFY2(made.err.contains("longer than 1000 bytes; it was cut there"), made.err.constData());
   QVERIFY2(made.err.contains("no letters in UTF-8"), made.err.constData());

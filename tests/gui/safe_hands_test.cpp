@@ -181,8 +181,8 @@ class SafeHandsTest : public QObject {
 
   void undoIsTheScenesOwn_data() {
     QTest::addColumn<QByteArray>("control");
-    for (const char* name : {"gammaNumber", "gammaSlider", "structureTree", "structureFilter",
-                             "hiddenLinesChoice", "penWeightNumber", "historyPanel"})
+    for (const char* name : {"gammaNumber", "gammaSlider", "structureTree", "hiddenLinesChoice",
+                             "penWeightNumber", "historyPanel"})
       QTest::newRow(name) << QByteArray(name);
   }
   void undoIsTheScenesOwn() {
