@@ -19,6 +19,7 @@ namespace {
 
 /// Lists what the program, its users and makers of shapes call things that are no anatomy.
 constexpr std::string_view ownWords =
+    "3d 2d 4d front rear back behind middle "
     "surface structure segment segmentation seg label labelmap mask model mesh part piece "
     "volume scan scene group object shape body atlas demo test sample image series region "
     "area zone copy picture figure plate drawing view page sheet lesson quiz film slide deck "

@@ -150,7 +150,6 @@ class SameViewTest : public QObject {
     scene.appendAnnotation({.anchors = {model::SurfacePoint{plain.liver, 0, {0.3f, 0.3f}}},
                             .text = "A text that makes its column wider"});
     QVERIFY(reach(opened(narrow, scene)) > 1.1 * reach(back));
-    QVERIFY(back.eye == saved.eye);  // the same picture, smaller
   }
 };
 
