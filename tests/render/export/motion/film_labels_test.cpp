@@ -345,7 +345,6 @@ class FilmLabelsTest : public QObject {
       QTest::addRow("sweep, %s", name) << int(Motion::gammaSweep) << int(demo);
     }
     QTest::newRow("turntable, kidney") << int(Motion::turntable) << int(model::DemoName::kidney);
-    QTest::newRow("turntable, abdomen") << int(Motion::turntable) << int(model::DemoName::abdomen);
   }
   void leadersEndOnWhatTheyName() {
     QFETCH(int, motion);
