@@ -210,6 +210,7 @@ void GltfTest::readsBack() {
   model::ImportOptions options;
   options.smoothing = {.mode = model::Smoothing::Mode::off};
   options.repair = false;
+  options.keepFileNames = true;
   const std::array inputs{std::filesystem::path(file.toStdString())};
   const auto imported = model::importInputs(inputs, options);
   QVERIFY(imported.ok());
