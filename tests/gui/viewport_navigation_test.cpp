@@ -416,34 +416,6 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(!f.control<QWidget>("messageText").isVisible());
   }
 
-  /// However often a picture is asked for meanwhile, graphics that have ended are made anew once.
-  void aRestartIsAskedForOnce() {
-    const auto refused = std::make_shared<std::atomic<bool>>(false);
-    const auto failures = std::make_shared<std::atomic<int>>(0);
-    const auto made = std::make_shared<std::atomic<int>>(0);
-    WindowFixture f([=, make = failing(failures, made)]() {
-      auto painter = make();
-      if (*refused)
-        painter = Error{.reason = "there is no context", .remedy = "Try again"};
-      return painter;
-    });
-    QVERIFY(f.drop(m_body.path()));
-    QVERIFY(f.settled());
-    *refused = true;
-    *failures = 1;
-    f.viewport().setBackground(render::Background::dark);
-    QTRY_VERIFY(f.control<QWidget>("messageText").isVisible());
-    QTest::qWait(200);  // until the thread has ended
-    const int first = *made;
-    *refused = false;
-    for (const render::Background ground :
-         {render::Background::paper, render::Background::white, render::Background::paper})
-      f.viewport().setBackground(ground);
-    QVERIFY(f.settled());
-    QCOMPARE(made->load(), first + 1);
-    QVERIFY(!f.control<QWidget>("messageText").isVisible());
-  }
-
   void whatIsThrownIsSurvived_data() {
     QTest::addColumn<int>("at");
     QTest::addColumn<bool>("known");
