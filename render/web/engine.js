@@ -22,9 +22,6 @@
 const engineSides = ["anterior", "posterior", "left", "right", "superior", "inferior"];
 const engineLetters = ["A", "P", "L", "R", "S", "I"];
 const svgSpace = "http://www.w3.org/2000/svg";
-/** Steps from the middle of an edge towards its ends, alternately. @param {number} length @param {number} step */
-const outwards = (length, step) => Array.from({ length: Math.max(1, Math.floor(0.9 * length / step)) },
-  (_, k) => (k % 2 ? 1 : -1) * Math.ceil(k / 2) * step);
 /** Lengths of labels, in CSS pixels. */
 const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, edge: 10 };
 
@@ -423,25 +420,22 @@ class Engine {
 
   /** The sides of the body at the picture's edges, as near to their middles as no label stands. @param {Placed[]} placed */
   edgeLetters(placed) {
-    if (!this.mode.sides)
-      return [];
-    const letters = this.module.UTF8ToString(this.module._slineEdges()).split(",");
+    const letters = this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()).split(",") : [];
     const { text, edge } = labelSize;
-    const [centre, middle] = [this.width / 2, this.height / 2];
-    /** @type {[string, number, number][]} */
-    const places = [["start", edge, middle], ["end", this.width - edge, middle],
-                    ["middle", centre, edge + text / 2], ["middle", centre, this.height - edge - text / 2]];
-    return places.flatMap(([anchor, middleX, middleY], i) => {
-      const reach = text * letters[i].length;
-      const place = outwards(i < 2 ? this.height : this.width, text)
-        .map((by) => (i < 2 ? [middleX, middleY + by] : [middleX + by, middleY]))
-        .find(([x, y]) => !placed.some(({ box: [left, top, width, height] }) =>
-          left < x + reach && left + width > x - reach && top < y + text && top + height > y - text));
-      if (!letters[i] || !place)
-        return [];
-      const [x, y] = place;
-      return [this.shape("text", "edge-letter",
-                         { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letters[i])];
+    const [width, height] = [this.width, this.height];
+    return letters.flatMap((letter, i) => {
+      const anchor = ["start", "end", "middle", "middle"][i];
+      const across = [edge, width - edge, edge + text / 2, height - edge - text / 2][i];
+      const [length, reach] = [i < 2 ? height : width, text * letter.length];
+      for (let k = 0; letter && k * text < 0.9 * length; ++k) {
+        const along = length / 2 + (k % 2 ? 1 : -1) * Math.ceil(k / 2) * text;
+        const [x, y] = i < 2 ? [across, along] : [along, across];
+        if (!placed.some(({ box: [left, top, wide, high] }) =>
+          left < x + reach && left + wide > x - reach && top < y + text && top + high > y - text))
+          return [this.shape("text", "edge-letter",
+                             { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letter)];
+      }
+      return [];
     });
   }
 
