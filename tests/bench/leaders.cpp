@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <ostream>
@@ -14,14 +13,13 @@
 #include "model/geometry/plane.h"
 #include "model/look/opening_look.h"
 #include "model/scene/resolved_styles.h"
-#include "render/export/encoding/png_image.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
-#include "render/export/plate/plate_image.h"
 #include "render/labels/seen_map.h"
 #include "render/lettering/typesetting.h"
 #include "render/measures/leader_truth.h"
+#include "tests/bench/kept_plate.h"
 #include "tests/bench/measure.h"
 
 namespace sline::bench {
@@ -167,21 +165,6 @@ render::ExportOrder orderOf(const Exhibit& exhibit, const LeaderCourse& course) 
   return render::sheetFigure(order);
 }
 
-/// Draws the picture with its labels.
-Status keep(render::Picture& picture, const render::ExportOrder& order, int height,
-            const std::string& path, const render::Typesetting& typesetting) {
-  auto image = picture.render(order.scene, order.camera,
-                              {.width = int(aspect * float(height)), .height = height}, 2);
-  if (!image)
-    return image.error();
-  render::drawPlate(*image, order, typesetting);
-  const auto png = render::pngOf(*image, {});
-  if (!png)
-    return png.error();
-  std::ofstream(path, std::ios::binary) << *png;
-  return Unit{};
-}
-
 /// Counts what is judged.
 struct Tally {
   std::array<int, 6> faults{};
@@ -281,7 +264,9 @@ Result<int> judgeScene(render::Picture& picture, const model::Scene& imported,
     if (!*faulty || course.folder.empty())
       continue;
     const std::string path = course.folder + '/' + std::to_string(tally.pictures) + ".png";
-    if (const Status kept = keep(picture, order, 2 * course.height, path, **typesetting); !kept)
+    if (const Status kept =
+            keepPlate(picture, order, **typesetting, {.path = path, .height = 2 * course.height});
+        !kept)
       return kept.error();
   }
   int all = 0;

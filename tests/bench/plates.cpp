@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/plates.h"
 
-#include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <map>
 #include <ostream>
 
-#include "render/export/encoding/png_image.h"
-#include "render/export/plate/plate_image.h"
 #include "render/lettering/typesetting.h"
+#include "tests/bench/kept_plate.h"
 #include "tests/support/plate_products.h"
 
 namespace sline::bench {
 
 namespace {
-
-Status keepPlate(render::Picture& picture, const render::ExportOrder& order, int height,
-                 const std::string& path, const render::Typesetting& typesetting) {
-  const glm::vec2 size = order.page.sizeMm;
-  auto image = picture.render(order.scene, order.camera,
-                              {.width = int(std::lround(float(height) * size.x / size.y)),
-                               .height = height,
-                               .environment = order.environment},
-                              1);
-  if (!image)
-    return image.error();
-  render::drawPlate(*image, order, typesetting);
-  const auto png = render::pngOf(*image, {});
-  if (!png)
-    return png.error();
-  std::ofstream(path, std::ios::binary) << *png;
-  return Unit{};
-}
 
 void printRow(std::ostream& out, const std::string& kind, int count,
               const test::ProductProof& proof) {
@@ -75,10 +54,9 @@ Status countPlates(render::Picture& picture, const model::Scene& scene, const Pl
     for (const bool ink : {false, true})
       for (std::size_t i = 0; i < product->colour.size(); ++i)
         if (const Status kept =
-                keepPlate(picture, (ink ? product->ink : product->colour)[i].order, 900,
-                          course.folder + '/' + std::to_string(index) + (ink ? "-ink" : "-colour") +
-                              std::to_string(i) + ".png",
-                          **typesetting);
+                keepPlate(picture, (ink ? product->ink : product->colour)[i].order, **typesetting,
+                          {.path = course.folder + '/' + std::to_string(index) +
+                                   (ink ? "-ink" : "-colour") + std::to_string(i) + ".png"});
             !kept)
           return kept.error();
   }
