@@ -420,7 +420,7 @@ class Engine {
 
   /** The sides of the body at the picture's edges, as near to their middles as no label stands. @param {Placed[]} placed */
   edgeLetters(placed) {
-    const letters = this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()).split(",") : [];
+    const letters = (this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()) : "").split(",");
     const { text, edge } = labelSize;
     const [width, height] = [this.width, this.height];
     return letters.flatMap((letter, i) => {
