@@ -423,7 +423,7 @@ class Engine {
     const letters = (this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()) : "").split(",");
     const { text, edge } = labelSize;
     const [width, height] = [this.width, this.height];
-    return letters.flatMap((letter, i) => {
+    return letters.flatMap((/** @type {string} */ letter, /** @type {number} */ i) => {
       const anchor = ["start", "end", "middle", "middle"][i];
       const across = [edge, width - edge, edge + text / 2, height - edge - text / 2][i];
       const [length, reach] = [i < 2 ? height : width, text * letter.length];
