@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "model/edit/tree.h"
 #include "model/scene/known_frame.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
@@ -91,10 +92,17 @@ class SidesBarTest : public QObject {
     QVERIFY(f.drop(folder.path()));
     QVERIFY(f.settled());
     auto& bar = f.control<QFrame>("sidesBar");
-    QVERIFY(bar.isVisible());
+    QTRY_VERIFY(bar.isVisible());  // names are compared beside the window
     const QString says = f.control<QLabel>("sidesQuestion").text();
     QCOMPARE(says, QString("\"left kidney\" lies on the other side than its name says."));
     QVERIFY(!f.control<QPushButton>("sidesRightButton").isVisible());
+    // The bar goes with what it tells, and comes back with it.
+    const model::NodeId kidney = f.session.scene().named("left kidney").front();
+    QVERIFY(f.session.apply("Rename",
+                            model::renamed(f.session.scene(), kidney, "right kidney")));
+    QTRY_VERIFY(!bar.isVisible());
+    f.session.undo();
+    QTRY_VERIFY(bar.isVisible());
     f.control<QToolButton>("closeSidesBar").click();
     QVERIFY(!bar.isVisible());
   }

@@ -470,6 +470,8 @@ constexpr const char* messageRows[] = {
                       "the part of the program for pictures of this kind cannot be loaded: %1"),
     QT_TRANSLATE_NOOP("Told", "modelling was cancelled"),
     QT_TRANSLATE_NOOP("Told", "the graphics driver gives no OpenGL context to draw with"),
+    QT_TRANSLATE_NOOP("Told", "the graphics driver has lost what it had drawn"),
+    QT_TRANSLATE_NOOP("Told", "the graphics driver has no memory left for the picture"),
     QT_TRANSLATE_NOOP("Told", "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"),
 };
 

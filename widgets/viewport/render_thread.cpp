@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <exception>
 
@@ -32,6 +33,30 @@ Status guarded(const Body& body) {
   }
   return Error{.reason = "the picture could not be drawn: " + reason,
                .remedy = "Hide some structures, or close other programs to free memory"};
+}
+
+/// Returns what was wrong with the graphics since it was last asked. A driver that has run out of
+/// memory, or has lost its context, draws on into nothing and says so only here.
+Status driverState(QOpenGLContext& context) {
+  constexpr GLenum contextLost = 0x0507;
+  constexpr int most = 64;  // a lost context may have no end of errors
+  QOpenGLFunctions& gl = *context.functions();
+  bool full = false;
+  bool lost = !context.isValid();
+  for (int i = 0; i < most && !lost; ++i) {
+    const GLenum error = gl.glGetError();
+    if (error == GL_NO_ERROR)
+      break;
+    full = full || error == GL_OUT_OF_MEMORY;
+    lost = error == contextLost;
+  }
+  if (lost)
+    return Error{.reason = "the graphics driver has lost what it had drawn",
+                 .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"};
+  if (full)
+    return Error{.reason = "the graphics driver has no memory left for the picture",
+                 .remedy = "Hide some structures, or close other programs to free memory"};
+  return Unit{};
 }
 
 class RendererPainter : public PicturePainter {
@@ -184,6 +209,10 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
                 : Result<bool>(target.error());
     if (!drawn || !*drawn)
       return;
+    if (const Status state = driverState(*m_context); !state.ok()) {
+      drawn = state.error();
+      return;
+    }
     // The labels are drawn before the picture is published, so that both appear together.
     m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
     m_unlabelled.reset();

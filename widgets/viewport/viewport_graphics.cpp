@@ -90,7 +90,7 @@ void Viewport::refresh(model::Scene scene) {
     return;
   if (m_thread->isFinished() && !m_moving) {
     // It could not draw, and said so; perhaps it can by now.
-    QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+    rebuildSoon();
     return;
   }
   // A moving section keeps to the fineness of the camera's moves, because another draws everything
