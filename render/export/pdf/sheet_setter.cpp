@@ -178,10 +178,11 @@ QString SheetSetter::nameOf(const model::Node& node) const {
   return QString::fromStdString(structureName(node.name, m_order.labels.language)).simplified();
 }
 
-FigurePlate SheetSetter::numbered(const ExportOrder& shown) {
+/// Labels keep the places and numbers of the layout before.
+FigurePlate SheetSetter::numbered(const ExportOrder& shown, const LabelLayout* before) {
   ExportOrder order = shown;
   order.labels.mode = LabelMode::numbers;
-  return figurePlate(order, m_trees);
+  return figurePlate(order, m_trees, {.before = before});
 }
 
 /// Numbers the labels that have a place.
@@ -189,6 +190,7 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
   const FigurePlate plate = numbered(m_order);
   if (m_order.of<SheetOptions>().kind == SheetKind::teaching)
     noteOf(plate, progress);
+  m_numbered = plate.labels->layout;
   for (const ShownLabel& label : plate.labels->labels)
     if (plate.labels->layout.find(label.item.id))
       m_numbers.push_back(
@@ -202,13 +204,13 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
             label.number;
 }
 
-/// Numbers what the test asks for.
+/// Numbers what the test asks for as the first page does.
 void SheetSetter::prepareTest(const ExportProgress& progress) {
   const ShownQuestions shown = shownQuestions(m_order, m_trees);
   const std::vector<model::Question>& questions = shown.questions;
   if (hasLabels(m_given.scene))
     progress.note(shown.notes);
-  m_testPlate = numbered(askedAlone(m_order, questions));
+  m_testPlate = numbered(askedAlone(m_order, questions), &m_numbered);
   std::map<model::AnnotationId, const model::Question*> asked;
   for (const model::Question& question : questions)
     for (const model::AnnotationId id : question.labels)
