@@ -67,11 +67,13 @@ Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
   std::vector<View> views = scene.views();
   Scene after = scene;
   const AnnotationId made = after.appendAnnotation(annotation);
-  for (std::size_t i = 0; i < views.size(); ++i)
-    if (auto& listed = views[i].annotations; i != view && !listed)
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::optional<std::vector<AnnotationId>>& listed = views[i].annotations;
+    if (!listed)
       listed = visibleOnes(scene);  // else it would show whatever comes
-    else if (i == view && listed)
+    if (i == view)
       listed->push_back(made);
+  }
   after.setViews(std::move(views));
   return {std::move(after), true};
 }
@@ -93,7 +95,7 @@ std::vector<AnnotationId> unclaimedAnnotations(const Scene& scene) {
   std::vector<AnnotationId> free = visibleOnes(scene);
   for (const View& view : scene.views())
     std::erase_if(free, [&view](AnnotationId id) {
-      return !view.annotations || contains(*view.annotations, id);
+      return view.annotations && contains(*view.annotations, id);
     });
   return free;
 }

@@ -23,8 +23,9 @@ Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
 /// Does the same as `withAnnotation` for the whole scene: the saved views that have left out none
 /// so far list it, too.
 Edited withAnnotationForAll(const Scene& scene, const Annotation& annotation);
-/// Returns the visible annotations that no saved view shows: they were made since the last one was
-/// left. A new view takes these.
+/// Returns the visible annotations that no saved view lists: they were made since the last one was
+/// left, or no view chooses among labels so far, as in scenes of other programs. A new view takes
+/// these.
 std::vector<AnnotationId> unclaimedAnnotations(const Scene& scene);
 /// Gives the annotation of that id all of `annotation` but its id; refuses what `withAnnotation`
 /// refuses.

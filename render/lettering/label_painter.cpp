@@ -186,7 +186,7 @@ LabelPlate emptyPlate(const LabelSights& sights, const LabelStyle& style) {
 
 /// Numbers labels as one reads them round the figure: the left column from the top down, then what
 /// stands beside its place, then the right column; those without a place come last. In a picture
-/// that follows another one labels keep their numbers.
+/// that follows another one labels keep their numbers, and new ones take none that was there.
 void numberInReadingOrder(LabelPlate& plate, const LabelLayout* before) {
   std::vector<std::size_t> order(plate.labels.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -208,11 +208,14 @@ void numberInReadingOrder(LabelPlate& plate, const LabelLayout* before) {
                    [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
   std::vector<ShownLabel> labels;
   std::vector<LabelText> texts;
+  int last = 0;
+  if (before)
+    for (const PlacedLabel& was : before->labels)
+      last = std::max(last, was.number);
   for (const std::size_t i : order) {
     labels.push_back(std::move(plate.labels[i]));
     const PlacedLabel* was = before ? before->find(labels.back().item.id) : nullptr;
-    const int last = labels.size() > 1 ? labels[labels.size() - 2].number : 0;
-    labels.back().number = was && was->number > 0 ? was->number : last + 1;
+    labels.back().number = was && was->number > 0 ? was->number : ++last;
     texts.push_back(std::move(plate.texts[i]));
     texts.back().lines = {QString::number(labels.back().number)};
     for (PlacedLabel& placed : plate.layout.labels)

@@ -76,7 +76,7 @@ class Card {
       ? make("p", { class: "latin", lang: "la", dir: "ltr" }, names.la) : null;
     const title = lesson.wordsElement(names, "h2");
     if (!shown) title.textContent = lesson.nameOf(lesson.chosen[0]);
-    return make("div", { class: "card-names" }, title, latin);
+    return make("div", { class: "card-names" }, inTwoLines(title), latin);
   }
 
   note() {

@@ -75,6 +75,22 @@ function iconButton(name, words, act, traits = {}) {
 }
 
 /**
+ * Makes the element take two lines at most. What is cut even so is whole in a tooltip; who listens to the page hears
+ * all of it at any rate.
+ * @template {HTMLElement} Titled
+ * @param {Titled} element
+ */
+function inTwoLines(element) {
+  element.classList.add("two-lines");
+  element.addEventListener("pointerenter", () => {
+    const cut = element.scrollHeight > element.clientHeight || element.scrollWidth > element.clientWidth;
+    if (cut) element.title = element.textContent ?? "";
+    else element.removeAttribute("title");
+  });
+  return element;
+}
+
+/**
  * Words that are in the page for who listens to it.
  * @param {string} words
  */

@@ -93,7 +93,7 @@ class Page {
                             make("option", { value: tag, lang: tag, selected: tag === lesson.language }, languageName(tag))));
     const held = this.head.querySelector("select") === document.activeElement;
     this.head.replaceChildren(
-      make("h1", { dir: "auto" }, lesson.facts.title),
+      inTwoLines(make("h1", { dir: "auto" }, lesson.facts.title)),
       make("div", { class: "head-tools" }, lesson.languages.length > 1 ? language : null,
            iconButton("about", lesson.say("about"), () => this.about.open())));
     if (held) language.focus();

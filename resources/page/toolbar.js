@@ -21,7 +21,7 @@ class Toolbar {
   remake() {
     const { lesson, stage } = this;
     this.element.setAttribute("aria-label", lesson.say("viewTools"));
-    this.title = make("p", { class: "caption" });
+    this.title = inTwoLines(make("p", { class: "caption" }));
     this.sides = directions.map(([side, letter]) =>
       make("button", { type: "button", class: "from", title: `${lesson.say("from")} ${lesson.say(side)}`,
                        "aria-label": `${lesson.say("from")} ${lesson.say(side)}`,

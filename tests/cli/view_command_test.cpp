@@ -33,6 +33,7 @@ class ViewCommandTest : public QObject {
   void whatTheFlagsSay();
   void theSceneStaysAsItLooks();
   void labels();
+  void labelsOfViewsWithoutAList();
   void updated();
   void sceneKeepsItsLook();
   void words();
@@ -147,6 +148,23 @@ void ViewCommandTest::labels() {
   const Finished wrong = view({"--add", "V", "--labels", "1,9"});
   QCOMPARE(wrong.code, 2);
   QVERIFY2(wrong.err.contains("\"9\""), wrong.err.constData());
+}
+
+/// Scenes of other programs bring views that do not choose among the labels.
+void ViewCommandTest::labelsOfViewsWithoutAList() {
+  model::Scene with = scene();
+  for (const float x : {1.0f, 2.0f})
+    with.appendAnnotation({.kind = model::AnnotationKind::pin,
+                           .anchors = {model::Anchor(glm::vec3(x, 0, 0))},
+                           .text = "pin"});
+  with.setViews({{.name = "Read"}});
+  write(with);
+  const Finished added = view({"--add", "Front"});
+  QVERIFY2(added.code == 0 && !added.err.contains("no labels"), added.err.constData());
+  QCOMPARE(scene().views().back().annotations->size(), std::size_t(2));
+  const Finished next = view({"--add", "Back", "--from", "posterior"});
+  QVERIFY2(next.code == 0 && next.err.contains("no labels"), next.err.constData());
+  QVERIFY(scene().views().back().annotations->empty());
 }
 
 void ViewCommandTest::updated() {

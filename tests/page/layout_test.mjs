@@ -62,6 +62,43 @@ test("the drawing keeps its room, nothing runs out of the window, targets are la
   }
 });
 
+test("long titles are whole: in lines, in a tooltip, and for who listens", async () => {
+  const long = "Where the left ureter crosses the common iliac artery, seen obliquely from behind, above and from the left";
+  const title = `${long}, with all that lies around it in the female pelvis and is of importance to the surgeon, at length`;
+  const address = pages.write({ title }, (made) => {
+    made.facts.views[0].title = { en: long };
+    made.facts.views[1].title = { en: title + title };
+    return made;
+  });
+  const whole = (element) => element.evaluate((one) => ({
+    cut: one.scrollHeight > one.clientHeight || one.scrollWidth > one.clientWidth, title: one.title }));
+  for (const [width, height] of [[1440, 900], [1024, 768], [700, 900], [320, 568]]) {
+    const page = await pages.visit(`${address}#view=1`, { width, height });
+    const wide = await page.locator(".caption").evaluate((one) => one.clientHeight > 2);
+    for (const [view, caption] of [[1, long], [2, title + title]]) {
+      if (view === 2) await page.evaluate(() => (location.hash = "#view=2"));
+      await until(() => page.locator(".caption").textContent(), caption);
+      const head = page.locator(".head h1");
+      for (const element of wide ? [page.locator(".caption"), head] : [head]) {
+        await page.mouse.move(1, height - 1);
+        await element.hover();
+        const { cut, title: shown } = await whole(element);
+        assert.equal(shown, cut ? await element.textContent() : "", `${width} ${view}`);
+        if (view === 2 && wide && element !== head) assert.ok(cut, "so long a title has no room in two lines");
+      }
+      // Who listens is told of it, whether it is seen or not.
+      assert.equal(await page.getByText(caption, { exact: true }).and(page.locator(".caption *")).count(), 1);
+      assert.match(await page.locator(".toolbar").ariaSnapshot(), new RegExp(long), `${width} ${view}`);
+    }
+    if (width === 1440) {
+      await page.evaluate(() => (location.hash = "#view=1"));
+      await until(() => page.locator(".caption").textContent(), long);
+      assert.deepEqual((await whole(page.locator(".caption"))).cut, false, "two lines hold what one does not");
+    }
+    await page.done();
+  }
+});
+
 test("axe-core finds nothing serious", async () => {
   const address = pages.write();
   for (const [width, height, colorScheme] of [[1440, 900, "light"], [1440, 900, "dark"], [390, 844, "light"], [320, 568, "dark"]]) {

@@ -178,6 +178,7 @@ void Session::set(Document document) {
     m_activeSection.reset();
     m_activeAnnotation.reset();
   }
+  m_otherSides.follow(m_document.scene, m_document.opening);
   emit documentChanged(before, m_document);
   compareWithFile(another);
   select(before.opening == m_document.opening ? m_selection : NodeIds{});

@@ -15,6 +15,7 @@
 #include "model/edit/edited.h"
 #include "widgets/session/display_names.h"
 #include "widgets/session/document.h"
+#include "widgets/session/other_sides.h"
 #include "widgets/session/scene_job.h"
 
 namespace sline::widgets {
@@ -51,6 +52,8 @@ class Session : public QObject {
 
   /// Returns the names of structures on screen, which are not part of the document.
   DisplayNames& names() { return m_names; }
+  /// Returns which structures lie on the other side than their names say.
+  const OtherSides& otherSides() const { return m_otherSides; }
   /// Returns the scene file of the document.
   const DocumentFile& file() const;
   /// Returns the file's name if there is a file, otherwise the document's title.
@@ -162,6 +165,7 @@ class Session : public QObject {
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
   DisplayNames m_names;
+  OtherSides m_otherSides;
   std::optional<model::SectionId> m_activeSection;
   std::optional<model::AnnotationId> m_activeAnnotation;
   SceneJob* m_job = nullptr;

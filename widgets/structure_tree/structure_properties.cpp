@@ -127,7 +127,8 @@ void addLooks(std::vector<Property>& rows, const model::Scene& scene, const mode
 
 }  // namespace
 
-std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids) {
+std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids,
+                                   const OtherSides& otherSides) {
   std::vector<Property> rows;
   if (ids.empty())
     return rows;
@@ -159,6 +160,8 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
   }
   if (one && !first.isGroup())
     addOrigin(rows, first.provenance);
+  if (one && otherSides.has(first.id))
+    rows.push_back({QStringLiteral("side"), tr("Side"), tr("another than its name says")});
   if (one)
     addLooks(rows, scene, first);
   return rows;
@@ -224,7 +227,7 @@ StructureProperties::StructureProperties(Session& session, const NodeIds& ids,
   resize(540, 480);
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
 
-  add(propertiesOf(session.scene(), ids));
+  add(propertiesOf(session.scene(), ids, session.otherSides()));
   addCredit(session, ids);
   if (!explanation.isEmpty())
     add({{QStringLiteral("drawn"), tr("Drawn"), explanation}});

@@ -20,7 +20,8 @@ struct Property {
 };
 
 /// Returns all properties except area and volume, which take long on a large mesh.
-std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids);
+std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids,
+                                   const OtherSides& otherSides);
 /// Returns the area of the structures at or below the nodes, and the volume of those that are
 /// closed.
 std::vector<Property> extentProperties(const std::vector<model::Node>& structures);

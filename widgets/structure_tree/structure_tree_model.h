@@ -69,6 +69,7 @@ class StructureTreeModel : public QAbstractItemModel {
   bool take(const RowStep& step);
   QString nameOf(const model::Node& node) const;
   QString describe(const QModelIndex& index) const;
+  QString describeName(const model::Node& node) const;
   QString tipOf(const QModelIndex& index) const;
   QString describeGamma(const model::Node& node) const;
   QString describeColour(const model::Node& node) const;

@@ -10,9 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <array>
-#include <utility>
 
-#include "model/import/plan/other_sides.h"
 #include "model/scene/known_frame.h"
 #include "widgets/text/told.h"
 
@@ -37,6 +35,7 @@ SidesActions::SidesActions(Session& session, const WindowActions& actions, QGrid
     connect(&actionOf(actions, answer), &QAction::triggered, this,
             [this, answer] { settle(answer); });
   connect(&session, &Session::documentChanged, this, &SidesActions::showState);
+  connect(&session.otherSides(), &OtherSides::changed, this, &SidesActions::showState);
   showState();
 }
 
@@ -111,28 +110,6 @@ QString SidesActions::question() const {
                   told(first->provenance.frameReason));
 }
 
-void SidesActions::compareNames() {
-  std::vector<Compared> now;
-  for (const model::Node& node : m_session.scene().nodes())
-    if (!node.isGroup())
-      now.push_back({node.name, node.provenance.frame, node.provenance.evidence.sides, node.mesh});
-  if (now == m_comparedOf)
-    return;
-  m_comparedOf = std::move(now);
-  if (std::exchange(m_comparedFor, m_session.document().opening) != m_session.document().opening)
-    m_otherSides.clear();  // else it stays while the bar waits, so that nothing flickers
-  m_comparing.drop();
-  m_comparing.add([this, scene = m_session.scene()](const std::stop_token& stop) {
-    const std::string text = model::otherSidesText(scene);
-    return [this, text, stop] {
-      if (stop.stop_requested())
-        return;  // another scene is being compared
-      m_otherSides = text;
-      showState();
-    };
-  });
-}
-
 void SidesActions::showState() {
   const model::Scene& scene = m_session.scene();
   const bool doubted = model::hasDoubtedSides(scene);
@@ -147,7 +124,7 @@ void SidesActions::showState() {
   actionOf(m_actions, model::SideAnswer::right).setEnabled(doubted);
   actionOf(m_actions, model::SideAnswer::mirror).setEnabled(any);
   actionOf(m_actions, model::SideAnswer::turn).setEnabled(any);
-  compareNames();
+  const std::string& other = m_session.otherSides().text();
   for (QPushButton* answer : m_answers)
     answer->setVisible(doubted);
   m_answers[std::size_t(model::SideAnswer::turn)]->setVisible(
@@ -155,8 +132,8 @@ void SidesActions::showState() {
   QStringList says;
   if (doubted)
     says << question();
-  if (!m_otherSides.empty())
-    says << told(m_otherSides) + QLatin1Char('.');
+  if (!other.empty())
+    says << told(other) + QLatin1Char('.');
   if (!says.isEmpty())
     m_question->setText(says.join(QLatin1Char('\n')));
   m_bar->setVisible(!says.isEmpty() && m_closedFor != m_session.document().opening);

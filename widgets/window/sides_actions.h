@@ -5,11 +5,8 @@
 #include <QObject>
 #include <QPointer>
 #include <array>
-#include <string>
-#include <vector>
 
 #include "model/edit/sides.h"
-#include "widgets/session/background_queue.h"
 #include "widgets/session/session.h"
 #include "widgets/shell/window_actions.h"
 
@@ -36,27 +33,12 @@ class SidesActions : public QObject {
   void settle(model::SideAnswer answer);
   void showState();
   QString question() const;
-  /// Holds what the words about names of sides depend on, of one structure.
-  struct Compared {
-    std::string name;
-    std::string frame;
-    model::Evidence sides;
-    model::MeshPtr mesh;
-    bool operator==(const Compared&) const = default;
-  };
-  /// Asks for what contradicts names of sides, if it is not known of this scene; the state is shown
-  /// again when it is, as the words of thousands of names take their time.
-  void compareNames();
 
   Session& m_session;
   const WindowActions& m_actions;
   QPointer<QFrame> m_bar;  ///< the central widget may go first
   QLabel* m_question = nullptr;
   std::array<QPushButton*, 3> m_answers{};  ///< by SideAnswer
-  std::vector<Compared> m_comparedOf;       ///< for which `m_otherSides` holds or is on its way
-  std::string m_otherSides;                 ///< what contradicts names of sides; empty: nothing
-  int m_comparedFor = 0;                    ///< the opening it is of
-  BackgroundQueue m_comparing;
   int m_closedFor = 0;  ///< the opening whose bar was closed by hand
 };
 

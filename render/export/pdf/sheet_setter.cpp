@@ -29,11 +29,18 @@ Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem
   return drawing;
 }
 
-void setPlate(QPainter& painter, const FigurePlate& plate) {
-  painter.setRenderHint(QPainter::Antialiasing);
+void setPlate(SheetPages& pages, const FigurePlate& plate, const glm::vec2& at) {
+  const auto set = [&](const Lettering& lettering) {
+    pages.leaveGaps(lettering, at);
+    paintLettering(pages.painter(), lettering, setText);
+  };
+  pages.painter().save();
+  pages.painter().setRenderHint(QPainter::Antialiasing);
+  pages.painter().translate(qreal(at.x), qreal(at.y));
   if (plate.labels)
-    paintLettering(painter, letteringOf(*plate.labels), setText);
-  paintLettering(painter, plate.marks.lettering, setText);
+    set(letteringOf(*plate.labels));
+  set(plate.marks.lettering);
+  pages.painter().restore();
 }
 
 void withoutSourcesLine(ExportOrder& order) {
@@ -178,10 +185,11 @@ QString SheetSetter::nameOf(const model::Node& node) const {
   return QString::fromStdString(structureName(node.name, m_order.labels.language)).simplified();
 }
 
-FigurePlate SheetSetter::numbered(const ExportOrder& shown) {
+/// Labels keep the places and numbers of the layout before.
+FigurePlate SheetSetter::numbered(const ExportOrder& shown, const LabelLayout* before) {
   ExportOrder order = shown;
   order.labels.mode = LabelMode::numbers;
-  return figurePlate(order, m_trees);
+  return figurePlate(order, m_trees, {.before = before});
 }
 
 /// Numbers the labels that have a place.
@@ -189,6 +197,7 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
   const FigurePlate plate = numbered(m_order);
   if (m_order.of<SheetOptions>().kind == SheetKind::teaching)
     noteOf(plate, progress);
+  m_numbered = plate.labels->layout;
   for (const ShownLabel& label : plate.labels->labels)
     if (plate.labels->layout.find(label.item.id))
       m_numbers.push_back(
@@ -202,13 +211,13 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
             label.number;
 }
 
-/// Numbers what the test asks for.
+/// Numbers what the test asks for as the first page does.
 void SheetSetter::prepareTest(const ExportProgress& progress) {
   const ShownQuestions shown = shownQuestions(m_order, m_trees);
   const std::vector<model::Question>& questions = shown.questions;
   if (hasLabels(m_given.scene))
     progress.note(shown.notes);
-  m_testPlate = numbered(askedAlone(m_order, questions));
+  m_testPlate = numbered(askedAlone(m_order, questions), &m_numbered);
   std::map<model::AnnotationId, const model::Question*> asked;
   for (const model::Question& question : questions)
     for (const model::AnnotationId id : question.labels)
@@ -287,19 +296,18 @@ void SheetSetter::setFigure(const FigurePlate& plate, const AltText& said) {
   m_pages->describe(said);
   const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
   const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
-  QPainter& painter = m_pages->painter();
-  painter.save();
   if (m_picture) {
+    QPainter& painter = m_pages->painter();
+    painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(qreal(corner.x), qreal(corner.y), qreal(m_order.page.sizeMm.x),
                              qreal(m_order.page.sizeMm.y)),
                       *m_picture);
+    painter.restore();
   } else {
     m_pages->place(m_drawing, {corner, {corner, corner + m_order.page.sizeMm}});
   }
-  painter.translate(qreal(corner.x), qreal(corner.y));
-  setPlate(painter, plate);
-  painter.restore();
+  setPlate(*m_pages, plate, corner);
 }
 
 /// Sets what the view says below the figure; a test has none, as it might tell the answers.

@@ -23,8 +23,8 @@ Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem
                                  const ExportProgress& progress);
 /// Takes the line of sources from a figure that has a page of them.
 void withoutSourcesLine(ExportOrder& order);
-/// Sets what stands over a figure, as text.
-void setPlate(QPainter& painter, const FigurePlate& plate);
+/// Sets what stands over a figure, as text. `at`: the figure's upper left corner.
+void setPlate(SheetPages& pages, const FigurePlate& plate, const glm::vec2& at);
 
 class SheetSetter {
  public:
@@ -76,7 +76,7 @@ class SheetSetter {
   void prepareNumbers(const ExportProgress& progress);
   void prepareTest(const ExportProgress& progress);
   Status prepareLegend();
-  FigurePlate numbered(const ExportOrder& shown);
+  FigurePlate numbered(const ExportOrder& shown, const LabelLayout* before = nullptr);
   QString nameOf(const model::Node& node) const;
   /// Notes what is missing, but not of labels that the sheet adds, as the order does not ask for
   /// them.
@@ -106,10 +106,11 @@ class SheetSetter {
   const QImage* m_picture = nullptr;  ///< shown in its place
   FigurePlate m_plate;
   FigurePlate m_testPlate;
-  AltText m_said;      ///< what the figure shows
-  AltText m_testSaid;  ///< and what it shows on a test
+  AltText m_said;          ///< what the figure shows
+  AltText m_testSaid;      ///< and what it shows on a test
+  LabelLayout m_numbered;  ///< of the first page, with the numbers that all pages have
   std::vector<Number> m_numbers;
-  std::vector<Number> m_answers;            ///< of the test, by their numbers there
+  std::vector<Number> m_answers;            ///< of the test, by their numbers
   std::map<model::NodeId, int> m_numberOf;  ///< the numbers that the legend shows
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;

@@ -100,7 +100,7 @@ class Making {
     slide.onClick = order.of<SlideOptions>().onClick;
     m_deck.slides.push_back(slide);
     if (order.of<SlideOptions>().selfTest && !slide.labels.empty())
-      addTest(order, std::move(slide));
+      addTest(order, std::move(slide), plate.labels ? &plate.labels->layout : nullptr);
     return Unit{};
   }
 
@@ -187,14 +187,16 @@ class Making {
   }
 
   /// Adds the slide with numbers in place of labels, and its key, where there is something to ask.
-  void addTest(const ExportOrder& shown, Slide slide) {
+  /// Where the labels of the slide are numbers, they keep these.
+  void addTest(const ExportOrder& shown, Slide slide, const LabelLayout* before) {
     const ShownQuestions asked = shownQuestions(shown, m_trees);
     m_progress.note(asked.notes);
     if (asked.questions.empty())
       return;
     ExportOrder order = askedAlone(shown, asked.questions);
     order.labels.mode = LabelMode::numbers;
-    const FigurePlate plate = figurePlate(order, m_trees);
+    const bool numbered = shown.labels.mode == LabelMode::numbers;
+    const FigurePlate plate = figurePlate(order, m_trees, {.before = numbered ? before : nullptr});
     if (plate.labels->layout.labels.empty())
       return;
     const SheetWords& words = sheetWords(m_language);

@@ -72,6 +72,7 @@ class ViewsEditTest : public QObject {
   void shownInOneViewOrAll();
   void newOnesJoinViews();
   void madeForOneView();
+  void viewsWithoutAListOwnNone();
   void onCutFaces();
   void tickedTogether();
   void keyLight();
@@ -303,6 +304,28 @@ void ViewsEditTest::madeForOneView() {
   fresh.setViews({});
   QCOMPARE(withNewView(fresh, Camera{}, "First").scene.views()[0].annotations->size(),
            unclaimedAnnotations(fresh).size());
+}
+
+/// Where no view chooses among the labels, as in scenes of other programs, a new view has them all;
+/// one that is made for such a view is that one's alone.
+void ViewsEditTest::viewsWithoutAListOwnNone() {
+  Sample s;
+  const std::vector<AnnotationId> all = {s.onOne, s.onTwo, s.free};
+  s.scene.setViews({{.name = "A"}, {.name = "B"}});
+  QCOMPARE(unclaimedAnnotations(s.scene), all);
+  const Edited added = withNewView(s.scene, Camera{}, "New");
+  QVERIFY(added.changed);
+  QCOMPARE(*added.scene.views()[2].annotations, all);
+  QCOMPARE(visiblePins(added.scene).size(), all.size());
+  QVERIFY(unclaimedAnnotations(added.scene).empty());
+  // What one view lists is that one's, and the others' without a list is free.
+  s.scene.setViews({{.name = "A"}, {.name = "B", .annotations = {{s.onTwo}}}});
+  QCOMPARE(unclaimedAnnotations(s.scene), (std::vector<AnnotationId>{s.onOne, s.free}));
+  const Annotation pin{.kind = AnnotationKind::pin, .anchors = {glm::vec3(4, 5, 6)}};
+  const Edited made = withAnnotationMade(s.scene, pin, 0);
+  const AnnotationId id = made.scene.annotations().back().id;
+  QCOMPARE(viewsShowing(made.scene, id), std::vector<std::size_t>{0});
+  QVERIFY(unclaimedAnnotations(made.scene).empty());
 }
 
 /// A label on the face of a cut belongs to what was cut.

@@ -359,6 +359,27 @@ class SlidesTest : public QObject {
     QCOMPARE(OpenedSlides(written(order)).slides(), 1);
   }
 
+  /// Where labels are numbers on the slide, the test and its key have the same.
+  void testsKeepNumbers() {
+    render::ExportOrder order = test::lessonOf({"aorta", "vena cava", "liver"});
+    order.labels.mode = render::LabelMode::numbers;
+    order.of<render::SlideOptions>().selfTest = true;
+    const auto numberOf = [](const OpenedSlides& slides, const QString& name) {
+      for (const QString& line : test::wordsOf(slides.slide(3)).split('\n').mid(1))
+        if (line.section(QChar(0x2002), 1) == name)
+          return line.section(QChar(0x2002), 0, 0);
+      return QString();
+    };
+    const OpenedSlides all(written(order));
+    for (const char* name : {"aorta", "vena cava", "liver"}) {
+      order.of<render::TestOptions>().names = name;
+      const OpenedSlides alone(written(order));
+      QCOMPARE(alone.slides(), 3);
+      QCOMPARE(numberOf(alone, name), numberOf(all, name));
+      QVERIFY(!numberOf(alone, name).isEmpty());
+    }
+  }
+
   void labelsByClicks() {
     render::ExportOrder order = test::lessonOf({"one", "two", "three"});
     QVERIFY(!OpenedSlides(written(order)).slide(1).child("p:timing"));
