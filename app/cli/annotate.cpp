@@ -336,15 +336,6 @@ std::string structuresOf(const model::Scene& scene, const Annotation& annotation
   return names;
 }
 
-/// Returns how long a distance is, mm.
-std::optional<float> lengthOf(const model::Scene& scene, const Annotation& annotation) {
-  if (annotation.kind != AnnotationKind::distance)
-    return std::nullopt;
-  const auto from = scene.placeOf(annotation.anchors.front());
-  const auto to = scene.placeOf(annotation.anchors.back());
-  return from && to ? std::optional(glm::distance(*from, *to)) : std::nullopt;
-}
-
 Exit list(const model::Scene& scene) {
   for (const Annotation& annotation : scene.annotations()) {
     std::cout << annotation.id.value << '\t' << annotationKindNames[std::size_t(annotation.kind)]
@@ -353,7 +344,7 @@ Exit list(const model::Scene& scene) {
       return onOneLine(model::plainText(annotation.kind, text));
     };
     std::cout << structuresOf(scene, annotation) << '\t' << words(annotation.text);
-    if (const auto length = lengthOf(scene, annotation))
+    if (const auto length = model::drawnLength(scene, annotation))
       std::cout << '\t' << "mm=" << std::fixed << std::setprecision(2) << *length;
     for (const auto& [language, text] : annotation.texts)
       std::cout << '\t' << language << '=' << words(text);

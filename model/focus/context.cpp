@@ -18,6 +18,9 @@ namespace {
 constexpr float focusGamma = 4.3f;
 /// The amount by which every structure of a known tissue begins to appear.
 constexpr float latestStart = 0.45f;
+/// And what nobody knows from here on, so that the amount with which plates open draws all of it: a
+/// look that is chosen for a scene leaves out nothing that is in it.
+constexpr float latestUnknown = 0.55f;
 /// The amount from which structures of a known tissue have their wash. Below Γ = 4 what faces the
 /// eye is as white as paper, as if the structure were hollow.
 constexpr float washed = 0.7f;
@@ -186,7 +189,9 @@ Growth growthOf(const Relation& r) {
     case ContextManner::byRole:
       break;
   }
-  return roleGrowth(r);
+  Growth growth = roleGrowth(r);
+  growth.start = std::min(growth.start, latestUnknown);
+  return growth;
 }
 
 Style targetStyle() {

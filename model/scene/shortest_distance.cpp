@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/shortest_distance.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "model/geometry/shortest_way.h"
 
 namespace sline::model {
@@ -13,7 +16,30 @@ std::optional<ShortestWay> wayFrom(const glm::vec3& at, const Mesh& from, const 
   return end ? std::optional(ShortestWay{*start, *end}) : std::nullopt;
 }
 
+/// Returns below which length two structures touch: no surface is exact to a tenth of a millimetre
+/// of a body, nor to a thousandth of a cell.
+float touchingLength(const Scene& scene, const Annotation& annotation) {
+  float least = 0.05f;
+  constexpr float exactness = 1.0f / 2000.0f;
+  for (const Anchor& anchor : annotation.anchors)
+    if (const auto* point = std::get_if<SurfacePoint>(&anchor))
+      if (const Node* node = scene.find(point->structure); node && node->mesh)
+        least = std::min(least, exactness * glm::length(node->mesh->bounds().size()));
+  return least;
+}
+
 }  // namespace
+
+std::optional<float> drawnLength(const Scene& scene, const Annotation& annotation) {
+  if (annotation.kind != AnnotationKind::distance)
+    return std::nullopt;
+  const auto from = scene.placeOf(annotation.anchors.front());
+  const auto to = scene.placeOf(annotation.anchors.back());
+  if (!from || !to)
+    return std::nullopt;
+  const float length = glm::distance(*from, *to);
+  return length < touchingLength(scene, annotation) ? 0.0f : length;
+}
 
 std::optional<Annotation> shortestDistance(const Scene& scene, NodeId from, NodeId to,
                                            const std::optional<glm::vec3>& at) {

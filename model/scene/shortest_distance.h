@@ -15,4 +15,9 @@ namespace sline::model {
 std::optional<Annotation> shortestDistance(const Scene& scene, NodeId from, NodeId to,
                                            const std::optional<glm::vec3>& at = std::nullopt);
 
+/// Returns how long a distance is as it is drawn, in mm of the patient's frame: 0 between two
+/// structures that touch as far as such surfaces can tell, which is within 1/2000 of the smaller
+/// one's extent and 0.05 mm. Nothing for other annotations and where an end has no place.
+std::optional<float> drawnLength(const Scene& scene, const Annotation& annotation);
+
 }  // namespace sline::model

@@ -9,17 +9,12 @@
 #include "model/scene/in_focus.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "model/scene/shortest_distance.h"
 #include "render/labels/seen_map.h"
 
 namespace sline::render {
 
 namespace {
-
-std::optional<float> lengthOf(const model::Annotation& annotation, const model::Scene& scene) {
-  if (annotation.kind != model::AnnotationKind::distance)
-    return std::nullopt;
-  return glm::length(*scene.placeOf(annotation.anchors[1]) - *scene.placeOf(annotation.anchors[0]));
-}
 
 /// Finds the labels of one picture.
 class Finder {
@@ -44,7 +39,7 @@ class Finder {
         const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
         m_named.push_back(point ? point->structure : model::NodeId());
         m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
-                                  annotation.colour, lengthOf(annotation, m_scene),
+                                  annotation.colour, drawnLength(m_scene, annotation),
                                   std::move(m_choices), m_unit});
       }
     }

@@ -35,7 +35,7 @@ struct ShownLabel {
   /// numbered in reading order (label_painter.h).
   int number = 0;
   std::optional<Colour> colour;
-  std::optional<float> lengthMm;                         ///< of a distance, as drawn
+  std::optional<float> lengthMm;                         ///< of a distance (model::drawnLength)
   std::vector<PlaceChoice> choices;                      ///< with a pool: places in this picture
   model::DrawnUnit unit = model::DrawnUnit::millimetre;  ///< of the distance
 };

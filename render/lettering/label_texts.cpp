@@ -34,6 +34,19 @@ std::string bounded(const std::string& text) {
   return text.substr(0, end) + "\u2026";
 }
 
+/// Returns "88 mm", below 10 mm with a decimal, and below 0.1 mm "3.8 µm".
+QString distanceText(float millimetres, const QLocale& locale, model::DrawnUnit unit) {
+  constexpr float small = 0.1f;
+  const std::string symbol(symbolOf(unit));
+  const bool micrometres = unit != model::DrawnUnit::angstrom && millimetres < small;
+  const double value = micrometres ? 1000.0 * double(millimetres) : double(millimetres);
+  const QString number = value < double(small) ? locale.toString(value, 'g', 2)
+                                               : locale.toString(value, 'f', value < 10.0 ? 1 : 0);
+  return number + QChar(QChar::Nbsp) +
+         (micrometres ? QStringLiteral("µm") + QString::fromStdString(symbol.substr(2))
+                      : QString::fromStdString(symbol));
+}
+
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
   QString text = QString::fromStdString(bounded(label.text)).simplified();
   // A slash between two names ends a line, it begins none.
@@ -42,13 +55,9 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
     return text;
   const QLocale locale(
       QString::fromStdString(style.language.empty() ? "en" : model::firstLanguage(style.language)));
-  const int digits = *label.lengthMm < 10.0f ? 1 : 0;
-  constexpr float nothing = 0.05f;  // would be written as 0.0, which no surface is as exact as
-  const QString length = *label.lengthMm < nothing
+  const QString length = *label.lengthMm <= 0.0f
                              ? MarkWords(style.language, {}).touching()
-                             : locale.toString(double(*label.lengthMm), 'f', digits) +
-                                   QChar(QChar::Nbsp) +
-                                   QString::fromStdString(std::string(symbolOf(label.unit)));
+                             : distanceText(*label.lengthMm, locale, label.unit);
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/annotation_texts.h"
 
-#include <glm/geometric.hpp>
 
 #include "model/scene/markup.h"
+#include "model/scene/shortest_distance.h"
 #include "render/lettering/label_texts.h"
 #include "widgets/session/names_by_language.h"
 #include "widgets/text/tr.h"
@@ -61,10 +61,8 @@ QString shownText(const model::Scene& scene, const model::Annotation& annotation
                   const std::string& language) {
   const QString text = plainWordsIn(annotation, language);
   if (text.isEmpty() && annotation.kind == model::AnnotationKind::distance) {
-    const auto from = scene.placeOf(annotation.anchors.front());
-    const auto to = scene.placeOf(annotation.anchors.back());
-    if (from && to)
-      return lengthText(glm::length(*to - *from), drawnUnit(scene), language);
+    if (const std::optional<float> length = drawnLength(scene, annotation))
+      return lengthText(*length, drawnUnit(scene), language);
   }
   return text.isEmpty() ? kindText(annotation.kind) : text;
 }

@@ -192,9 +192,10 @@ class Viewport : public QWidget, public ViewControl {
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<PictureScreen> m_screen;
   std::unique_ptr<RenderThread> m_thread;
-  bool m_toRebuild = false;        ///< was asked for and is about to happen
-  bool m_rebuilt = false;          ///< since the last picture that was drawn
-  std::optional<Error> m_failure;  ///< why the last one was not, as it was told
+  bool m_toRebuild = false;            ///< was asked for and is about to happen
+  std::uint64_t m_askedAtOpening = 0;  ///< the first picture of the thread that draws
+  bool m_rebuilt = false;              ///< since the last picture that was drawn
+  std::optional<Error> m_failure;      ///< why the last one was not, as it was told
 
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};

@@ -38,7 +38,13 @@ void Viewport::openGraphics() {
   connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   connect(m_thread.get(), &RenderThread::labelsFailed, this, &Viewport::failed);
+  // What was asked for while it was ending has nobody who draws it.
+  connect(m_thread.get(), &RenderThread::finished, this, [this] {
+    if (m_thread && m_thread->isFinished() && m_asked != m_askedAtOpening)
+      rebuildSoon();
+  });
   refresh();
+  m_askedAtOpening = m_asked;
 }
 
 void Viewport::closeGraphics() {

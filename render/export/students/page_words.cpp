@@ -2,7 +2,6 @@
 #include "render/export/students/page_words.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
@@ -10,6 +9,7 @@
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "model/scene/shortest_distance.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
@@ -106,10 +106,7 @@ WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
       ShownLabel label;
       label.item.kind = annotation.kind;
       label.text = model::textIn(annotation, tag);
-      const auto from = m_scene.placeOf(annotation.anchors.front());
-      const auto to = m_scene.placeOf(annotation.anchors.back());
-      if (from && to)
-        label.lengthMm = glm::distance(*from, *to);
+      label.lengthMm = drawnLength(m_scene, annotation);
       label.unit = drawnUnit(m_scene);
       words[tag] = keyText(label, {.language = tag});
       continue;

@@ -77,6 +77,30 @@ class OpeningLookTest : public QObject {
     add(alone, "humerus", 20.0f, {0, 0, 0});
     QCOMPARE(firstTitle(alone), std::string("bones"));
   }
+  /// A look that nobody asked for leaves nothing out, however far it lies and whatever it is.
+  void leavesNothingOut_data() {
+    QTest::addColumn<double>("far");
+    QTest::addColumn<double>("size");
+    for (const double far : {0.0, 45.0, 90.0, 300.0, 900.0})
+      for (const double size : {4.0, 30.0, 120.0})
+        QTest::addRow("%.0f mm at %.0f mm", size, far) << far << size;
+  }
+  void leavesNothingOut() {
+    QFETCH(double, far);
+    QFETCH(double, size);
+    for (const bool sick : {true, false}) {
+      Scene scene = body();
+      if (sick)
+        add(scene, "liver tumour", 10.0f, {10, 0, 0});
+      add(scene, "screw", float(size), {0, 0.2f * float(far), float(far)});
+      add(scene, "lesion of nobody knows what", float(size), {0, float(far), 0});
+      const OpeningLook opened = look(scene);
+      for (const Node& node : scene.nodes()) {
+        const ResolvedStyle style = opened.scene.resolve(node.id);
+        QVERIFY2(style.visible && style.opacity.value() > 0.0f, node.name.c_str());
+      }
+    }
+  }
   void ligandsComeFirst() {
     Scene scene;
     const NodeId ligands = scene.append({.name = "Ligands"});

@@ -163,8 +163,22 @@ class LetteringTest : public QObject {
     label.text = "Conjugata vera";
     QCOMPARE(QString::fromStdString(keyText(label, {})),
              QStringLiteral("Conjugata vera 88\u00a0mm"));
-    // No surface is known to a tenth of a millimetre that would be 0.0.
-    label.lengthMm = 0.03f;
+    const std::pair<float, const char*> lengths[] = {{3.84f, "3.8 mm"},
+                                                     {0.1f, "0.1 mm"},
+                                                     {0.0038f, "3.8 µm"},
+                                                     {0.0135f, "14 µm"},
+                                                     {2e-5f, "0.02 µm"}};
+    label.text.clear();
+    for (const auto& [length, text] : lengths) {
+      label.lengthMm = length;
+      QCOMPARE(QString::fromStdString(keyText(label, {})).replace(QChar(QChar::Nbsp), ' '),
+               QString::fromUtf8(text));
+    }
+    label.unit = model::DrawnUnit::doubtedMillimetre;
+    label.lengthMm = 0.045f;
+    QCOMPARE(QString::fromStdString(keyText(label, {})), QStringLiteral("45\u00a0µm?"));
+    label.text = "Conjugata vera";
+    label.lengthMm = 0.0f;
     QCOMPARE(QString::fromStdString(keyText(label, {})), QStringLiteral("Conjugata vera touching"));
     QCOMPARE(QString::fromStdString(keyText(label, {.language = "de"})),
              QStringLiteral("Conjugata vera berühren sich"));
