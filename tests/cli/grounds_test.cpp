@@ -114,7 +114,7 @@ class GroundsTest : public QObject {
       SLINE_ABSENT("poppler-utils are not installed");
     const auto drawn = [&](const QString& ground) {
       const QByteArray pdf = exported("pdf", {"--labels", "on", "--background", ground, "--gamma",
-                                              "2", "--fill", "none", "--legend", "all"});
+                                              "1", "--fill", "none"});
       QProcess reader;
       reader.start("pdftocairo", {"-png", "-transp", "-r", "150", "-singlefile",
                                   path("picture.pdf"), path("page")});

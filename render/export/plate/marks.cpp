@@ -451,8 +451,9 @@ void MarkLayout::addCaption() {
     return;
   }
   std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
-  for (const float width : {captionShare, 0.5f, 0.36f, 0.25f}) {
-    if (free || !m_drawn)
+  const float narrowest = 7.0f * points(1.0f) * millimetresPerPoint;
+  for (const float width : {captionShare, 0.5f, 0.36f, 0.25f, 0.17f}) {
+    if (free || !m_drawn || width * m_size.x < narrowest)
       break;
     const std::optional<Caption> other = set(width, beside);
     if (!other || (other->shortened && !caption->shortened))

@@ -194,7 +194,7 @@ class PackagesTest : public QObject {
         QVERIFY(corners[k].x <= float(image.width()) && corners[k].y <= float(image.height()));
         QVERIFY(corners[k] != corners[(k + 1) % corners.size()]);
       }
-      const float at = 0.75f - 0.25f * float(i);  // in the order of the labels
+      const float at = 0.25f + 0.25f * float(i);  // in the order of the numbers
       QVERIFY(render::isWithin(corners, {at * float(image.width()), 0.5f * float(image.height())}));
     }
   }
