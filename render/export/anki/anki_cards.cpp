@@ -117,8 +117,8 @@ class Cards {
   Status addView(const ExportOrder& order, const std::string& title) {
     if (!goesOn(0.0, "preparing surfaces"))
       return givenUp({});
-    const ShownQuestions asking = shownQuestions(order, m_trees);
-    const std::vector<model::Question>& questions = asking.questions;
+    ShownQuestions asking = shownQuestions(order, m_trees);
+    std::vector<model::Question>& questions = asking.questions;
     m_progress.note(asking.notes);
     Sheet sheet{.order = forPhones(askedAlone(order, questions))};
     sheet.order.labels.mode = LabelMode::on;
@@ -139,7 +139,7 @@ class Cards {
     ExportOrder asked = sheet.order;
     asked.labels.mode = LabelMode::numbers;  // a question names nothing
     sheet.shows = altTextOf(asked).text;
-    if (Status numbered = addNumbers(sheet); !numbered.ok())
+    if (Status numbered = addNumbers(sheet, questions); !numbered.ok())
       return numbered;
     addPart(order, title);
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -165,7 +165,8 @@ class Cards {
     m_deck.parts.push_back(std::move(part));
   }
 
-  Status addNumbers(Sheet& sheet) {
+  /// Adds the picture with numbers, in whose order the questions come.
+  Status addNumbers(Sheet& sheet, std::vector<model::Question>& questions) {
     if (!sheet.order.of<AnkiOptions>().findIt)
       return Unit{};
     ExportOrder order = sheet.order;
@@ -174,6 +175,7 @@ class Cards {
     for (const ShownLabel& label : plate.labels->labels)
       if (plate.labels->layout.find(label.item.id))
         sheet.numbers[label.item.id] = label.number;
+    putInOrderOfNumbers(questions, *plate.labels);
     return addPicture(CardPainter(order).labels(*plate.labels), sheet.numbered);
   }
 

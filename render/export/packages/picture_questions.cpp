@@ -177,6 +177,7 @@ class SheetMaker {
     for (const ShownLabel& label : plate.labels->labels)
       if (plate.labels->layout.find(label.item.id))
         m_numbers[label.item.id] = label.number;
+    putInOrderOfNumbers(m_asked.questions, *plate.labels);
     Result<QuestionPicture> made = pictureOf(paintedPng(order, m_ground,
                                                         [&](QPainter& painter) {
                                                           paintMarks(painter, marks);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/plate/shown_questions.h"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -80,6 +82,22 @@ ShownQuestions shownQuestions(const ExportOrder& order, model::MeshTrees& trees)
   if (!note.names.empty())
     addNote(shown.notes, std::move(note));
   return shown;
+}
+
+void putInOrderOfNumbers(std::vector<model::Question>& questions, const LabelPlate& numbered) {
+  std::map<model::AnnotationId, int> numbers;
+  for (const ShownLabel& label : numbered.labels)
+    if (numbered.layout.find(label.item.id))
+      numbers[label.item.id] = label.number;
+  const auto first = [&numbers](const model::Question& question) {
+    int least = std::numeric_limits<int>::max();
+    for (const model::AnnotationId id : question.labels)
+      if (const auto number = numbers.find(id); number != numbers.end())
+        least = std::min(least, number->second);
+    return least;
+  };
+  std::stable_sort(questions.begin(), questions.end(),
+                   [&first](const auto& a, const auto& b) { return first(a) < first(b); });
 }
 
 }  // namespace sline::render

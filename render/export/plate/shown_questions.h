@@ -8,6 +8,7 @@
 #include "model/scene/question.h"
 #include "render/export/order/export_order.h"
 #include "render/labels/seen_map.h"
+#include "render/lettering/label_painter.h"
 
 namespace sline::render {
 
@@ -21,5 +22,9 @@ struct ShownQuestions {
 /// leader is dashed, or of whose structure one sees no more than a speck or a sliver; and questions
 /// that have no label left.
 ShownQuestions shownQuestions(const ExportOrder& order, model::MeshTrees& trees);
+
+/// Puts the questions in the order of the numbers that the plate gives their labels, as one reads
+/// them round the figure; those without one come last, as they were.
+void putInOrderOfNumbers(std::vector<model::Question>& questions, const LabelPlate& numbered);
 
 }  // namespace sline::render

@@ -17,6 +17,7 @@
 #include "render/export/students/accepted_answers.h"
 #include "render/export/students/answer_hash.h"
 #include "render/labels/seen_map.h"
+#include "render/lettering/label_painter.h"
 
 namespace sline::render {
 
@@ -34,9 +35,21 @@ struct AskedPicture {
   model::MeshTrees& trees;
 };
 
+/// Returns what the picture can be asked, in the order of the numbers that it gives the labels.
+std::vector<model::Question> questionsInOrder(const AskedPicture& picture) {
+  std::vector<model::Question> questions = shownQuestions(picture.order, picture.trees).questions;
+  LabelStyle style = picture.order.labels;
+  style.mode = LabelMode::numbers;
+  const Screen screen(picture.order.camera, picture.order.page.sizeMm);
+  if (questions.size() > 1)
+    putInOrderOfNumbers(questions, labelPlate(askedAlone(picture.order, questions).scene, screen,
+                                              style, picture.trees));
+  return questions;
+}
+
 void addLabelled(std::vector<AskedThing>& things, AskedPicture picture, const PageWords& words) {
   picture.order.labels.language = words.language();
-  for (const model::Question& question : shownQuestions(picture.order, picture.trees).questions) {
+  for (const model::Question& question : questionsInOrder(picture)) {
     const WordsByLanguage said =
         words.ofLabel(annotationOf(picture.order.scene, question.labels.front()));
     const bool known = std::any_of(things.begin(), things.end(),

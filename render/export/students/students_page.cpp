@@ -16,6 +16,7 @@
 #include "render/export/students/page_order.h"
 #include "render/export/students/page_stills.h"
 #include "render/export/students/web_program.h"
+#include "render/lettering/typesetting.h"
 
 namespace sline::render {
 
@@ -147,6 +148,9 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
   const Result<WebProgram> program = webProgram();
   if (!program.ok())
     return program.error();
+  const auto typesetting = Typesetting::create();
+  if (!typesetting.ok())
+    return typesetting.error();
   const auto goesOn = [&progress](double share, const char* what) {
     return !progress || progress(share, what);
   };

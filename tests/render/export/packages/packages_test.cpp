@@ -85,9 +85,16 @@ class PackagesTest : public QObject {
 
   void asksForWhatIsSeen() {
     QStringList asked;
-    for (const render::SheetThing& each : sheet().things)
+    std::vector<int> numbers;
+    for (const render::SheetThing& each : sheet().things) {
       asked << QString::fromStdString(each.words);
-    QCOMPARE(asked, QStringList({"left kidney", test::hostileLabel, "liver"}));
+      numbers.insert(numbers.end(), each.numbers.begin(), each.numbers.end());
+    }
+    // In the order of their numbers, as one reads them from the left.
+    QCOMPARE(numbers, (std::vector<int>{1, 2, 3}));
+    QCOMPARE(asked.front(), QString("liver"));
+    asked.sort();
+    QCOMPARE(asked, QStringList({test::hostileLabel, "left kidney", "liver"}));
     for (const render::SheetThing& each : sheet().things) {
       QVERIFY(each.zone.canBeHit());
       QCOMPARE(each.others.size(), std::size_t(2));
@@ -187,7 +194,7 @@ class PackagesTest : public QObject {
         QVERIFY(corners[k].x <= float(image.width()) && corners[k].y <= float(image.height()));
         QVERIFY(corners[k] != corners[(k + 1) % corners.size()]);
       }
-      const float at = 0.75f - 0.25f * float(i);  // in the order of the labels
+      const float at = 0.25f + 0.25f * float(i);  // in the order of the numbers
       QVERIFY(render::isWithin(corners, {at * float(image.width()), 0.5f * float(image.height())}));
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the questions of a students' page: what is asked, which answers are right and that wrong
 // ones are none of them.
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -26,13 +27,23 @@ render::ExportOrder named(const std::vector<std::string>& names, bool labels = t
   return order;
 }
 
-std::vector<json> questionsOf(const render::ExportOrder& order, const std::string& kind,
-                              const render::StudentsOptions& own = {.title = "Lesson"}) {
+/// Returns the questions of that kind as they come.
+std::vector<json> questionsOnPage(const render::ExportOrder& order, const std::string& kind,
+                                  const render::StudentsOptions& own = {.title = "Lesson"}) {
   std::vector<json> all;
   const json facts = factsOf(pageOf(order, own).html);
   for (const json& question : facts["quiz"]["questions"])
     if (question["kind"] == kind)
       all.push_back(question);
+  return all;
+}
+
+/// Returns the questions of that kind in the order in which the scene has what they ask for.
+std::vector<json> questionsOf(const render::ExportOrder& order, const std::string& kind,
+                              const render::StudentsOptions& own = {.title = "Lesson"}) {
+  std::vector<json> all = questionsOnPage(order, kind, own);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const json& a, const json& b) { return a["structures"] < b["structures"]; });
   return all;
 }
 
@@ -74,12 +85,41 @@ class PageQuizTest : public QObject {
     QCOMPARE(dragged.size(), std::size_t(1));
     QCOMPARE(dragged[0]["structures"].size(), names.size());
     QCOMPARE(dragged[0]["labels"].size(), names.size());
-    QCOMPARE(dragged[0]["choices"][1]["en"], json("spleen"));
+    const auto spleen = std::find(dragged[0]["labels"].begin(), dragged[0]["labels"].end(),
+                                  json(order.scene.annotations()[1].id.value));
+    QCOMPARE(dragged[0]["choices"][std::size_t(spleen - dragged[0]["labels"].begin())]["en"],
+             json("spleen"));
     QVERIFY(questionsOf(order, "order").empty());
     std::set<std::string> ids;
     const json facts = factsOf(pageOf(order).html);
     for (const json& question : facts["quiz"]["questions"])
       QVERIFY(ids.insert(question["id"].get<std::string>()).second);
+  }
+
+  /// Questions come as one reads the labels' numbers, whatever was labelled first; those of one
+  /// view after those of another.
+  void inTheOrderOfNumbers() {
+    render::ExportOrder order = named({"liver", "spleen", "stomach", "pancreas"});
+    const auto namesOf = [](const std::vector<json>& questions) {
+      QStringList names;
+      for (const json& question : questions)
+        names << QString::fromStdString(question["words"]["en"].get<std::string>());
+      return names;
+    };
+    const QStringList read = namesOf(questionsOnPage(order, "name"));
+    // Two columns of two.
+    QCOMPARE(read, QStringList({"liver", "stomach", "spleen", "pancreas"}));
+    std::vector<model::Annotation> annotations = order.scene.annotations();
+    std::reverse(annotations.begin(), annotations.end());
+    order.scene.setAnnotations(annotations);
+    for (const char* kind : {"find", "name", "choose"})
+      QCOMPARE(namesOf(questionsOnPage(order, kind)), read);
+    std::vector<model::View> views;
+    addView(order, views, "First").annotations = {{annotations[0].id, annotations[3].id}};
+    addView(order, views, "All");
+    order.scene.setViews(views);
+    QCOMPARE(namesOf(questionsOnPage(order, "name")),
+             QStringList({"liver", "pancreas", "stomach", "spleen"}));
   }
 
   void choicesOfTheTeacher() {
