@@ -32,6 +32,11 @@ QPen pen(const LetteringShape& shape, const Colour& colour, float width, bool ha
   return made;
 }
 
+/// Tells whether what is painted on is a page of a PDF, whose drawing lies below it.
+bool isPdf(QPainter& painter) {
+  return painter.paintEngine() && painter.paintEngine()->type() == QPaintEngine::Pdf;
+}
+
 /// Tells whether parts of what is painted on may be clear.
 bool hasAlpha(QPainter& painter) {
   const QPaintDevice* device = painter.device();
@@ -209,8 +214,10 @@ void paintLettering(QPainter& painter, const Lettering& lettering, const TextSet
   painter.setRenderHint(QPainter::Antialiasing);
   if (lettering.clear && hasAlpha(painter))
     painter.setCompositionMode(QPainter::CompositionMode_DestinationOut);
+  const bool halos = !lettering.clear || !isPdf(painter);
   for (const LetteringItem& item : lettering.items)
-    paintHalo(painter, item, lettering.ground);
+    if (halos)
+      paintHalo(painter, item, lettering.ground);
   painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
   for (const LetteringItem& item : lettering.items)
     paintInk(painter, item, setText);

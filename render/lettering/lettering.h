@@ -50,7 +50,7 @@ struct LetteringItem {
 struct Lettering {
   Colour ground{255, 255, 255};  ///< colour of halos, so that everything can be read on a drawing
   /// There is no ground: halos are gaps in the drawing where what is painted on can have them, and
-  /// else have that colour.
+  /// else have that colour. On pages of a PDF they are left to who places the drawing there.
   bool clear = false;
   std::vector<LetteringItem> items;
 };

@@ -3,7 +3,9 @@
 // written, halos of the ground's own colour, and the same labels in black ink as in colours.
 #include <QFile>
 #include <QImage>
+#include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -104,6 +106,38 @@ class GroundsTest : public QObject {
       for (int x = 0; x < picture.width(); ++x)
         white += qAlpha(picture.pixel(x, y)) > 200 && qGray(picture.pixel(x, y)) > 200;
     QVERIFY2(white < 20, qPrintable(QString::number(white)));
+  }
+
+  /// And so they are in a PDF: none of its halos is white, and lines end where they end on white.
+  void gapsInPdf() {
+    if (QStandardPaths::findExecutable("pdftocairo").isEmpty())
+      SLINE_ABSENT("poppler-utils are not installed");
+    const auto drawn = [&](const QString& ground) {
+      const QByteArray pdf = exported("pdf", {"--labels", "on", "--background", ground, "--gamma",
+                                              "1", "--fill", "none"});
+      QProcess reader;
+      reader.start("pdftocairo", {"-png", "-transp", "-r", "150", "-singlefile",
+                                  path("picture.pdf"), path("page")});
+      return !pdf.isEmpty() && reader.waitForFinished() && reader.exitCode() == 0
+                 ? QImage(path("page.png"))
+                 : QImage();
+    };
+    const QImage clear = drawn("transparent");
+    const QImage white = drawn("white");
+    QVERIFY(!clear.isNull() && clear.size() == white.size());
+    int pale = 0;
+    int dark = 0;
+    int other = 0;
+    for (int y = 0; y < clear.height(); ++y)
+      for (int x = 0; x < clear.width(); ++x) {
+        const QRgb pixel = clear.pixel(x, y);
+        const bool ink = qAlpha(pixel) > 200 && qGray(pixel) < 100;
+        pale += qAlpha(pixel) > 200 && qGray(pixel) > 200;
+        dark += ink;
+        other += ink && qGray(white.pixel(x, y)) > 200;
+      }
+    QVERIFY2(pale < 20, qPrintable(QString::number(pale)));
+    QVERIFY2(dark > 1000 && other < 20, qPrintable(QString("%1 %2").arg(dark).arg(other)));
   }
 
   /// Labels stand in black ink where they stand in colours.

@@ -34,6 +34,8 @@ bool setPage(const DrawnPage& page, SheetPages& pages, const TextSetter& setText
     return false;
   for (const SvgWriting& writing : page.writings) {
     QPainter& painter = pages.painter();
+    if (writing.halos)
+      pages.leaveGaps(writing.lettering, writing.at);
     painter.save();
     painter.translate(qreal(writing.at.x), qreal(writing.at.y));
     paintLettering(painter, writing.lettering, setText);
@@ -49,8 +51,7 @@ bool always(double) {
 /// A part of a page's picture, from some row on.
 class BandPage : public SheetPages {
  public:
-  BandPage(double pixelsPerMm, int top, const QSize& size)
-      : m_image(size, QImage::Format_ARGB32_Premultiplied) {
+  BandPage(double pixelsPerMm, int top, const QSize& size) : m_image(size, QImage::Format_RGB32) {
     m_image.fill(Qt::white);
     m_painter = std::make_unique<QPainter>(&m_image);
     m_painter->setRenderHint(QPainter::Antialiasing);

@@ -108,6 +108,30 @@ Object formObject(QPDF& file, const PdfForm& form) {
   return stream;
 }
 
+/// Returns a state in which nothing is drawn where the gaps are black (ISO 32000-1, 11.6.5.2).
+Object gapState(QPDF& file, const std::string& gaps, const glm::dvec2& size) {
+  const std::string page =
+      "0 0 " + real(size.x).unparse() + ' ' + real(size.y).unparse() + " re f\n";
+  Object form = file.newStream("1 g " + page + gaps);
+  Object group = Object::newDictionary();
+  group.replaceKey("/S", Object::newName("/Transparency"));
+  group.replaceKey("/CS", Object::newName("/DeviceGray"));
+  Object entries = form.getDict();
+  entries.replaceKey("/Type", Object::newName("/XObject"));
+  entries.replaceKey("/Subtype", Object::newName("/Form"));
+  entries.replaceKey("/BBox", Object::newArray({real(0.0), real(0.0), real(size.x), real(size.y)}));
+  entries.replaceKey("/Group", group);
+  entries.replaceKey("/Resources", Object::newDictionary());
+  Object mask = Object::newDictionary();
+  mask.replaceKey("/Type", Object::newName("/Mask"));
+  mask.replaceKey("/S", Object::newName("/Luminosity"));
+  mask.replaceKey("/G", form);
+  Object state = Object::newDictionary();
+  state.replaceKey("/Type", Object::newName("/ExtGState"));
+  state.replaceKey("/SMask", mask);
+  return state;
+}
+
 /// Returns the named channels of the image, `count` from the first, deflated as PNG does: each byte
 /// less its neighbour to the left (ISO 32000-1, 7.4.4.4).
 Object channels(QPDF& file, const Image& image, std::size_t first, std::size_t count) {
@@ -157,9 +181,13 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
     throw std::runtime_error("a page without a size");
   // QPdfWriter's pages are a whole number of points high: its upper edge is moved to the page's.
   const double raised = size.y - box.getArrayItem(3).getNumericValue();
-  page.addPageContents(
-      file.newStream(taggedDrawing(content) + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"),
-      true);
+  constexpr const char* gapName = "/SlGaps";
+  const bool gaps = !content.gaps.empty();
+  const std::string drawing =
+      gaps ? std::string("q ") + gapName + " gs\n" + taggedDrawing(content) + "Q\n"
+           : taggedDrawing(content);
+  page.addPageContents(file.newStream(drawing + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"),
+                       true);
   page.addPageContents(file.newStream("Q\n"), false);
   for (const char* other : {"/CropBox", "/BleedBox", "/TrimBox", "/ArtBox"})
     object.removeKey(other);
@@ -167,6 +195,8 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
                     Object::newArray({real(0.0), real(0.0), real(size.x), real(size.y)}));
   Object resources = ownDictionary(object, "/Resources");
   addStates(resources, content.opacities);
+  if (gaps)
+    ownDictionary(resources, "/ExtGState").replaceKey(gapName, gapState(file, content.gaps, size));
   if (content.forms.empty() && content.images.empty())
     return;
   Object objects = ownDictionary(resources, "/XObject");

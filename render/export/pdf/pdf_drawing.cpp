@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pdf/pdf_drawing.h"
 
+#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,6 +54,37 @@ class Operators {
     word(stroke ? "RG" : "rg");
   }
 
+  /// Maps millimetres from the page's upper left corner, y downwards.
+  void pageAxes(double pageHeight) {
+    for (const double value : {pointsPerMillimetre, 0.0, 0.0, -pointsPerMillimetre, 0.0})
+      number(value, 8);
+    number(pageHeight, 4);
+    word("cm");
+  }
+  void moveBy(const glm::vec2& by) {
+    for (const double value : {1.0, 0.0, 0.0, 1.0})
+      number(value);
+    point(by);
+    word("cm");
+  }
+
+  void path(const QPainterPath& path) {
+    const auto at = [&path](int i) {
+      return glm::vec2(float(path.elementAt(i).x), float(path.elementAt(i).y));
+    };
+    for (int i = 0; i < path.elementCount(); ++i) {
+      const QPainterPath::ElementType type = path.elementAt(i).type;
+      point(at(i));
+      if (type == QPainterPath::CurveToElement) {
+        point(at(++i));
+        point(at(++i));
+      }
+      word(type == QPainterPath::MoveToElement   ? "m"
+           : type == QPainterPath::LineToElement ? "l"
+                                                 : "c");
+    }
+  }
+
   void path(const Path& path) {
     for (const Curve& curve : path) {
       point(curve.start);
@@ -98,11 +130,7 @@ class DrawingContent {
   void append(const PdfPlacement& place, double pageHeight) {
     Operators out;
     out.word("q");
-    // Maps millimetres from the page's upper left corner, y downwards.
-    for (const double value : {pointsPerMillimetre, 0.0, 0.0, -pointsPerMillimetre, 0.0})
-      out.number(value, 8);
-    out.number(pageHeight, 4);
-    out.word("cm");
+    out.pageAxes(pageHeight);
     out.box(place.clip);
     out.word("W n");
     if (m_drawing.background) {
@@ -110,10 +138,8 @@ class DrawingContent {
       out.box(place.clip);
       out.word("f");
     }
-    for (const double value : {1.0, 0.0, 0.0, 1.0})
-      out.number(value);
-    out.point(place.at);
-    out.word("cm 1 J 1 j");
+    out.moveBy(place.at);
+    out.word("1 J 1 j");
     for (const VectorStructure& structure : m_drawing.structures)
       fills(out, structure);
     for (const VeiledLines& veiled : veiledLines(m_drawing))
@@ -222,6 +248,32 @@ std::string pdfImageName(std::size_t index) {
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,
                    double pageHeight) {
   DrawingContent(content, drawing).append(place, pageHeight);
+}
+
+std::string gapsOf(const Lettering& lettering, const glm::vec2& at, double pageHeight) {
+  Operators out;
+  out.word("q");
+  out.pageAxes(pageHeight);
+  out.moveBy(at);
+  out.word("1 J 1 j 0 G 0 g");
+  for (const LetteringItem& item : lettering.items) {
+    for (const LetteringShape& shape : item.shapes) {
+      if (shape.halo <= 0.0f)
+        continue;
+      out.number(double(shape.pen + 2.0f * shape.halo));
+      out.word("w");
+      out.path(shape.path);
+      out.word(shape.fill ? "B" : "S");
+    }
+    if (!item.text)
+      continue;
+    out.number(double(2.0f * textHalo));
+    out.word("w");
+    out.path(haloOf(*item.text));
+    out.word("S");
+  }
+  out.word("Q");
+  return out.take();
 }
 
 }  // namespace sline::render

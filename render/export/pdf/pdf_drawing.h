@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/labels/shapes.h"
+#include "render/lettering/lettering.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::render {
@@ -31,8 +32,10 @@ struct PdfContent {
   std::set<int> opacities;     ///< percent; each has a state, named by `pdfStateName`
   std::vector<PdfForm> forms;  ///< named by `pdfFormName`
   std::vector<Image> images;   ///< with alpha; named by `pdfImageName`
-  std::string said;            ///< what the drawing shows, in words; empty: it is passed over
-  std::string language;        ///< of that, BCP 47; empty: the document's
+  /// Paints in black what the drawing is not to cover; empty: it covers all.
+  std::string gaps;
+  std::string said;      ///< what the drawing shows, in words; empty: it is passed over
+  std::string language;  ///< of that, BCP 47; empty: the document's
 };
 
 std::string pdfStateName(int percent);
@@ -42,6 +45,10 @@ std::string pdfImageName(std::size_t index);
 /// Appends the drawing; names of structures are not written. The page's height is in points.
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,
                    double pageHeight);
+
+/// Returns operators that paint the lettering's halos in black, for `PdfContent::gaps`. `at` is its
+/// upper left corner.
+std::string gapsOf(const Lettering& lettering, const glm::vec2& at, double pageHeight);
 
 inline constexpr double pointsPerMillimetre = 72.0 / 25.4;
 

@@ -44,6 +44,11 @@ void PdfPages::place(const VectorDrawing& drawing, const PdfPlacement& place) {
   m_placed.push_back({m_page, &drawing, place});
 }
 
+void PdfPages::leaveGaps(const Lettering& lettering, const glm::vec2& at) {
+  if (lettering.clear)
+    m_gaps[m_page] += gapsOf(lettering, at, pointsPerMillimetre * double(m_size.y));
+}
+
 Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::string& title,
                                     PdfNavigation navigation) {
   m_painter.end();
@@ -52,6 +57,8 @@ Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::strin
   std::vector<PdfContent> below(m_page + 1);
   for (const Placed& placed : m_placed)
     appendDrawing(below[placed.page], *placed.drawing, placed.place, size.y);
+  for (auto& [page, gaps] : m_gaps)
+    below[page].gaps = std::move(gaps);
   for (const auto& [page, said] : m_said) {
     below[page].said = said.text;
     below[page].language = said.language;

@@ -33,6 +33,7 @@ class PdfPages : public SheetPages {
   QPainter& painter() override { return m_painter; }
   /// The drawing lies below everything painted on the page, whenever that was.
   void place(const VectorDrawing& drawing, const PdfPlacement& place) override;
+  void leaveGaps(const Lettering& lettering, const glm::vec2& at) override;
   void describe(const AltText& said) override { m_said[m_page] = said; }
 
   /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
@@ -51,7 +52,8 @@ class PdfPages : public SheetPages {
   std::string m_language;
   std::size_t m_page = 0;
   std::vector<Placed> m_placed;
-  std::map<std::size_t, AltText> m_said;  ///< of pages
+  std::map<std::size_t, std::string> m_gaps;  ///< in the drawings of pages, as operators
+  std::map<std::size_t, AltText> m_said;      ///< of pages
   QBuffer m_bytes;
   std::unique_ptr<QPdfWriter> m_writer;
   QPainter m_painter;

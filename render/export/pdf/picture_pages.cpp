@@ -104,7 +104,7 @@ PicturePages::~PicturePages() = default;
 
 void PicturePages::newPage() {
   m_painter.reset();
-  m_pages.emplace_back(m_size, QImage::Format_ARGB32_Premultiplied);
+  m_pages.emplace_back(m_size, QImage::Format_RGB32);  // paper has no holes
   m_pages.back().fill(Qt::white);
   m_painter = std::make_unique<QPainter>(&m_pages.back());
   m_painter->scale(m_scale, m_scale);

@@ -71,7 +71,7 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
   withoutSourcesLine(figure);
   const FigurePlate plate = figurePlate(figure);
   progress.note(plate.notes);
-  setPlate(pages.painter(), plate);
+  setPlate(pages, plate, {});
   setSourcesPage(pages, order);
   return pages.finish(fileCredit(order, {}));
 }

@@ -6,6 +6,7 @@
 
 #include "render/export/description/alt_text.h"
 #include "render/export/pdf/pdf_drawing.h"
+#include "render/lettering/lettering.h"
 
 namespace sline::render {
 
@@ -20,6 +21,9 @@ class SheetPages {
   /// Places a drawing on the current page, below everything that is painted afterwards; it must
   /// live until the pages are done.
   virtual void place(const VectorDrawing& drawing, const PdfPlacement& place) = 0;
+  /// Leaves gaps in the current page's drawings where the lettering has halos and no ground. `at`:
+  /// its upper left corner. Who paints on the drawing leaves them by that.
+  virtual void leaveGaps(const Lettering&, const glm::vec2& /*at*/) {}
   /// Says what the drawings of the current page show, for who does not see them.
   virtual void describe(const AltText&) {}
 };

@@ -29,11 +29,18 @@ Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem
   return drawing;
 }
 
-void setPlate(QPainter& painter, const FigurePlate& plate) {
-  painter.setRenderHint(QPainter::Antialiasing);
+void setPlate(SheetPages& pages, const FigurePlate& plate, const glm::vec2& at) {
+  const auto set = [&](const Lettering& lettering) {
+    pages.leaveGaps(lettering, at);
+    paintLettering(pages.painter(), lettering, setText);
+  };
+  pages.painter().save();
+  pages.painter().setRenderHint(QPainter::Antialiasing);
+  pages.painter().translate(qreal(at.x), qreal(at.y));
   if (plate.labels)
-    paintLettering(painter, letteringOf(*plate.labels), setText);
-  paintLettering(painter, plate.marks.lettering, setText);
+    set(letteringOf(*plate.labels));
+  set(plate.marks.lettering);
+  pages.painter().restore();
 }
 
 void withoutSourcesLine(ExportOrder& order) {
@@ -289,19 +296,18 @@ void SheetSetter::setFigure(const FigurePlate& plate, const AltText& said) {
   m_pages->describe(said);
   const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
   const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
-  QPainter& painter = m_pages->painter();
-  painter.save();
   if (m_picture) {
+    QPainter& painter = m_pages->painter();
+    painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(qreal(corner.x), qreal(corner.y), qreal(m_order.page.sizeMm.x),
                              qreal(m_order.page.sizeMm.y)),
                       *m_picture);
+    painter.restore();
   } else {
     m_pages->place(m_drawing, {corner, {corner, corner + m_order.page.sizeMm}});
   }
-  painter.translate(qreal(corner.x), qreal(corner.y));
-  setPlate(painter, plate);
-  painter.restore();
+  setPlate(*m_pages, plate, corner);
 }
 
 /// Sets what the view says below the figure; a test has none, as it might tell the answers.

@@ -23,8 +23,8 @@ Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem
                                  const ExportProgress& progress);
 /// Takes the line of sources from a figure that has a page of them.
 void withoutSourcesLine(ExportOrder& order);
-/// Sets what stands over a figure, as text.
-void setPlate(QPainter& painter, const FigurePlate& plate);
+/// Sets what stands over a figure, as text. `at`: the figure's upper left corner.
+void setPlate(SheetPages& pages, const FigurePlate& plate, const glm::vec2& at);
 
 class SheetSetter {
  public:
