@@ -124,15 +124,21 @@ QString StructureTreeModel::describe(const QModelIndex& index) const {
           return tr("Locked: keeps its look, name and place and cannot be clicked in the picture");
       }
       return {};
-    default: {
-      const QString text = nameOf(node);
-      const QString own = QString::fromStdString(node.name);
-      if (node.isGroup())
-        return tr("%1, structures: %2")
-            .arg(text, QLocale().toString(qulonglong(state(node.id).structures)));
-      return text == own ? text : QStringLiteral("%1 (%2)").arg(text, own);
-    }
+    default:
+      return describeName(node);
   }
+}
+
+QString StructureTreeModel::describeName(const model::Node& node) const {
+  const QString text = nameOf(node);
+  if (node.isGroup())
+    return tr("%1, structures: %2")
+        .arg(text, QLocale().toString(qulonglong(state(node.id).structures)));
+  const QString own = QString::fromStdString(node.name);
+  const QString names = text == own ? text : QStringLiteral("%1 (%2)").arg(text, own);
+  return m_otherSides.has(m_session.scene(), node.id)
+             ? tr("%1: lies on the other side than its name says").arg(names)
+             : names;
 }
 
 QVariant StructureTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {

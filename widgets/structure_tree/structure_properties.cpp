@@ -22,6 +22,7 @@
 #include "model/scene/measured_extent.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
+#include "widgets/session/other_sides.h"
 #include "widgets/text/told.h"
 #include "widgets/text/tr.h"
 
@@ -159,6 +160,8 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
   }
   if (one && !first.isGroup())
     addOrigin(rows, first.provenance);
+  if (one && OtherSides().has(scene, first.id))
+    rows.push_back({QStringLiteral("side"), tr("Side"), tr("another than its name says")});
   if (one)
     addLooks(rows, scene, first);
   return rows;

@@ -6,6 +6,7 @@
 
 #include <QAbstractItemModel>
 
+#include "widgets/session/other_sides.h"
 #include "widgets/session/session.h"
 #include "widgets/structure_tree/row_filter.h"
 #include "widgets/structure_tree/row_states.h"
@@ -69,6 +70,7 @@ class StructureTreeModel : public QAbstractItemModel {
   bool take(const RowStep& step);
   QString nameOf(const model::Node& node) const;
   QString describe(const QModelIndex& index) const;
+  QString describeName(const model::Node& node) const;
   QString tipOf(const QModelIndex& index) const;
   QString describeGamma(const model::Node& node) const;
   QString describeColour(const model::Node& node) const;
@@ -77,7 +79,8 @@ class StructureTreeModel : public QAbstractItemModel {
   RowFilter m_filter;
   NodeIds m_matches;
   TreeShape m_shape;
-  RowStates m_states;  ///< computed anew for each scene
+  RowStates m_states;               ///< computed anew for each scene
+  mutable OtherSides m_otherSides;  ///< for who asks what a row says
 };
 
 }  // namespace sline::widgets

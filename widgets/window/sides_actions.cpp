@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 
-#include "model/import/plan/other_sides.h"
 #include "model/scene/known_frame.h"
 #include "widgets/text/told.h"
 
@@ -110,18 +109,6 @@ QString SidesActions::question() const {
                   told(first->provenance.frameReason));
 }
 
-const std::string& SidesActions::otherSides() {
-  std::vector<std::pair<std::string, model::MeshPtr>> now;
-  for (const model::Node& node : m_session.scene().nodes())
-    if (!node.isGroup())
-      now.emplace_back(node.name, node.mesh);
-  if (now != m_comparedOf) {
-    m_comparedOf = std::move(now);
-    m_otherSides = model::otherSidesText(m_session.scene());
-  }
-  return m_otherSides;
-}
-
 void SidesActions::showState() {
   const model::Scene& scene = m_session.scene();
   const bool doubted = model::hasDoubtedSides(scene);
@@ -136,7 +123,7 @@ void SidesActions::showState() {
   actionOf(m_actions, model::SideAnswer::right).setEnabled(doubted);
   actionOf(m_actions, model::SideAnswer::mirror).setEnabled(any);
   actionOf(m_actions, model::SideAnswer::turn).setEnabled(any);
-  const std::string& other = otherSides();
+  const std::string& other = m_otherSides.text(scene);
   for (QPushButton* answer : m_answers)
     answer->setVisible(doubted);
   m_answers[std::size_t(model::SideAnswer::turn)]->setVisible(

@@ -5,11 +5,9 @@
 #include <QObject>
 #include <QPointer>
 #include <array>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "model/edit/sides.h"
+#include "widgets/session/other_sides.h"
 #include "widgets/session/session.h"
 #include "widgets/shell/window_actions.h"
 
@@ -36,17 +34,13 @@ class SidesActions : public QObject {
   void settle(model::SideAnswer answer);
   void showState();
   QString question() const;
-  /// Returns what contradicts names of sides, empty where nothing does.
-  const std::string& otherSides();
 
   Session& m_session;
   const WindowActions& m_actions;
   QPointer<QFrame> m_bar;  ///< the central widget may go first
   QLabel* m_question = nullptr;
   std::array<QPushButton*, 3> m_answers{};  ///< by SideAnswer
-  /// Names and surfaces for which `m_otherSides` holds.
-  std::vector<std::pair<std::string, model::MeshPtr>> m_comparedOf;
-  std::string m_otherSides;
+  OtherSides m_otherSides;
   int m_closedFor = 0;  ///< the opening whose bar was closed by hand
 };
 

@@ -13,6 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/structure_tree/node_mime.h"
+#include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::widgets {
@@ -177,6 +178,46 @@ class StructureTreeModelTest : public QObject {
              "names are no markup");
     tree.setFilter(QStringLiteral("niere"));
     QCOMPARE(tree.matches().size(), std::size_t(1));
+  }
+
+  /// Where a structure lies on the other side than its name says its row tells it, to who hovers,
+  /// listens or opens its properties, until its name is another.
+  void saysWhatLiesOnTheOtherSide() {
+    Session session;
+    session.openMade(
+        QStringLiteral("body"),
+        [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+          model::Scene scene;
+          const model::NodeId organs = scene.append({.name = "Organs"});
+          const auto add = [&](const char* name, float x) {
+            scene.append({.parent = organs,
+                          .name = name,
+                          .mesh = test::moved(*test::sphere(10.0f, 1), 1.0f, {x, 0, 0})});
+          };
+          add("left kidney", -50);  // +x is the patient's left
+          add("right kidney", 50);
+          add("left lung", 60);
+          add("right lung", -60);
+          return LoadedDocument{.scene = scene, .title = QStringLiteral("body"), .remarks = {}};
+        });
+    QVERIFY(QTest::qWaitFor([&] { return !session.busy(); }));
+    Model tree(session);
+    const auto says = [&](const char* name) {
+      const QModelIndex row = tree.indexOf(id(session, name));
+      int said = 0;
+      for (const int role : {int(Qt::ToolTipRole), int(Qt::AccessibleTextRole)})
+        said += row.data(role).toString().contains(QStringLiteral("other side")) ? 1 : 0;
+      for (const Property& each : propertiesOf(session.scene(), {id(session, name)}))
+        said += each.id == QLatin1String("side") ? 1 : 0;
+      return said;
+    };
+    for (const char* name : {"left kidney", "right kidney"})
+      QCOMPARE(says(name), 3);
+    for (const char* name : {"left lung", "right lung", "Organs"})
+      QCOMPARE(says(name), 0);
+    session.apply({}, model::renamed(session.scene(), id(session, "left kidney"), "kidney one"));
+    session.apply({}, model::renamed(session.scene(), id(session, "right kidney"), "kidney two"));
+    QCOMPARE(says("kidney one"), 0);
   }
 
   void lockedRowsStayAndSaySo() {
