@@ -11,6 +11,7 @@
 #include <QTextBrowser>
 #include <QtTest>
 
+#include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/help/help_browser.h"
@@ -130,6 +131,30 @@ class HelpTest : public QObject {
     search->clear();
     QTest::keyClicks(search, QStringLiteral("nothing like zebras anywhere"));
     QCOMPARE(contents->count(), 0);
+  }
+
+  /// What is typed there is taken back in the line, and nothing of the scene, even where the line
+  /// has nothing left to take back.
+  void searchTakesBackItsOwn() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    WindowFixture f;
+    QVERIFY(f.drop(body.path()) && f.settled());
+    const model::NodeId bladder[] = {f.session.scene().named("bladder").front()};
+    QVERIFY(f.session.apply(QStringLiteral("Hide"), model::withHidden(f.session.scene(), bladder)));
+    const model::Scene before = f.session.scene();
+    widgets::HelpWindow help;
+    help.show();
+    QVERIFY(QTest::qWaitForWindowActive(&help));
+    auto* search = help.findChild<QLineEdit*>(QStringLiteral("helpSearch"));
+    search->setFocus();
+    QTest::keyClicks(search, QStringLiteral("zebras"));
+    for (int i = 0; i < 3; ++i)
+      QTest::keyClick(search, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(search->text().isEmpty());
+    QVERIFY(f.session.scene() == before);
+    QTest::keyClick(search, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(search->text(), QStringLiteral("zebras"));
   }
 
   void nothingLeadsOutsideUnasked() {

@@ -296,6 +296,15 @@ class ImportDialogTest : public QObject {
     QVERIFY(desk.tree().indexOf(desk.idOf("left kidney")).isValid());
     QVERIFY(!desk.tree().indexOf(desk.idOf("aorta")).isValid());
     filter.clear();
+    // As in the tree of structures: words in any order, one wish or the other, sides as words.
+    QTest::keyClicks(&filter, QStringLiteral("kidn left or AORT"));
+    QVERIFY(desk.tree().indexOf(desk.idOf("left kidney")).isValid());
+    QVERIFY(!desk.tree().indexOf(desk.idOf("right kidney")).isValid());
+    QVERIFY(desk.tree().indexOf(desk.idOf("aorta")).isValid());
+    // What is typed is taken back in the line.
+    QTest::keyClick(&filter, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(filter.text().isEmpty());
+    QVERIFY(desk.tree().indexOf(desk.idOf("right kidney")).isValid());
     desk.tree().sortByColumn(PlanTreeModel::size, Qt::DescendingOrder);
     QVERIFY(desk.tree().indexOf(desk.idOf("aorta")).row() == 0);
     desk.click("importButton");

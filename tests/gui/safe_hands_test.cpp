@@ -3,11 +3,13 @@
 // events that take the way of a real mouse and keyboard.
 #include <QtTest/qtestspontaneevent.h>
 #include <QAction>
+#include <QClipboard>
 #include <QComboBox>
 #include <QCursor>
 #include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -21,6 +23,7 @@
 #include "model/edit/look.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/support/suite.h"
+#include "widgets/form/control.h"
 #include "widgets/gamma/style_slider.h"
 #include "widgets/structure_tree/cell_painting.h"
 #include "widgets/structure_tree/structure_tree_model.h"
@@ -349,6 +352,48 @@ class SafeHandsTest : public QObject {
     f.session.undo();
     clickOn(slider, slider.pointOf(2.5).toPoint(), Qt::ShiftModifier);
     QCOMPARE(width("bladder"), width("left kidney"));
+  }
+
+  /// A line that is full says so, wherever what it refuses comes from; so does a box of lines.
+  void refusedTextIsSaid() {
+    GammaPanelFixture f;
+    const auto said = [] { return QToolTip::isVisible() ? QToolTip::text() : QString(); };
+    QDialog dialog(&f.window);
+    auto* layout = new QVBoxLayout(&dialog);
+    auto* line = new QLineEdit;
+    line->setMaxLength(5);
+    const widgets::Field lines{QStringLiteral("lines"), QStringLiteral("Lines"), QString(),
+                               widgets::TextField{.longest = 7, .lines = 3}};
+    auto* box = qobject_cast<QPlainTextEdit*>(widgets::makeControl(lines, [](const QVariant&) {}));
+    layout->addWidget(line);
+    layout->addWidget(box);
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    QCursor::setPos(dialog.mapToGlobal(dialog.rect().center()));
+    line->setFocus();
+    QTest::keyClicks(line, "abcde");
+    QCoreApplication::processEvents();
+    QVERIFY2(said().isEmpty(), "what has room needs no word");
+    QTest::keyClicks(line, "f");
+    QCOMPARE(line->text(), QString("abcde"));
+    QTRY_VERIFY2(said().contains("5"), qPrintable(said()));
+    QToolTip::hideText();
+    QTRY_VERIFY(said().isEmpty());
+    line->clear();
+    QGuiApplication::clipboard()->setText("a long text");
+    QTest::keySequence(line, QKeySequence::Paste);
+    QCOMPARE(line->text(), QString("a lon"));
+    QTRY_VERIFY2(said().contains("5"), qPrintable(said()));
+    QToolTip::hideText();
+    QTRY_VERIFY(said().isEmpty());
+    box->setFocus();
+    box->paste();
+    QCOMPARE(box->toPlainText(), QString("a long "));
+    QTRY_VERIFY2(said().contains("7"), qPrintable(said()));
+    // What was there before stays.
+    box->moveCursor(QTextCursor::Start);
+    QTest::keyClicks(box, "xy");
+    QCOMPARE(box->toPlainText(), QString("a long "));
   }
 
   void refusedNumbersAreSaid() {

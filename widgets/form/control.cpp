@@ -7,6 +7,10 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
+#include <QTextCursor>
+#include <algorithm>
+
+#include "widgets/form/longest_text.h"
 
 namespace sline::widgets {
 
@@ -43,17 +47,26 @@ QWidget* makeEditor(const Field&, const NumberField& kind, const Take& take) {
   return box;
 }
 
+/// Takes so many characters away again, the last ones of those that were just put in: what is not
+/// taken is not shown either.
+void removeBeforeCursor(QPlainTextEdit& box, int count) {
+  QTextCursor excess = box.textCursor();
+  const int end = std::max(excess.position(), count);
+  excess.setPosition(end - count);
+  excess.setPosition(end, QTextCursor::KeepAnchor);
+  excess.removeSelectedText();
+}
+
 QWidget* makeEditor(const Field&, const TextField& kind, const Take& take) {
   if (kind.lines > 1) {
     auto* box = new QPlainTextEdit;
     box->setTabChangesFocus(true);
     box->setFixedHeight((kind.lines + 1) * box->fontMetrics().lineSpacing());
     QObject::connect(box, &QPlainTextEdit::textChanged, box, [box, take, longest = kind.longest] {
-      // What is not taken is not shown either.
       if (const QString text = box->toPlainText(); text.size() > longest) {
         const QSignalBlocker quiet(box);
-        box->setPlainText(text.left(longest));
-        box->moveCursor(QTextCursor::End);
+        removeBeforeCursor(*box, int(text.size()) - longest);
+        LongestText::say(*box, longest);
       }
       take(box->toPlainText());
     });

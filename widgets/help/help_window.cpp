@@ -14,6 +14,7 @@
 
 #include "widgets/help/help_browser.h"
 #include "widgets/help/help_pages.h"
+#include "widgets/shell/filter_line.h"
 
 namespace sline::widgets {
 
@@ -23,7 +24,8 @@ constexpr int idRole = Qt::UserRole;
 
 HelpWindow::HelpWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
-      m_search(new QLineEdit),
+      m_search(
+          makeFilterLine(QStringLiteral("helpSearch"), tr("Search in help"), tr("Search in help"))),
       m_contents(new QListWidget),
       m_page(new HelpBrowser) {
   setObjectName(QStringLiteral("helpWindow"));
@@ -57,10 +59,6 @@ HelpWindow::HelpWindow(QWidget* parent)
 }
 
 QWidget* HelpWindow::makeContents() {
-  m_search->setObjectName(QStringLiteral("helpSearch"));
-  m_search->setAccessibleName(tr("Search in help"));
-  m_search->setPlaceholderText(tr("Search in help"));
-  m_search->setClearButtonEnabled(true);
   m_contents->setObjectName(QStringLiteral("helpContents"));
   m_contents->setAccessibleName(tr("Contents"));
   m_contents->setFrameShape(QFrame::NoFrame);

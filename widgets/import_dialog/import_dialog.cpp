@@ -21,6 +21,8 @@
 #include "widgets/import_dialog/selection_panel.h"
 #include "widgets/import_dialog/threshold_panel.h"
 #include "widgets/session/document.h"
+#include "widgets/session/typed_wishes.h"
+#include "widgets/shell/filter_line.h"
 #include "widgets/text/told.h"
 
 namespace sline::widgets {
@@ -95,11 +97,10 @@ ImportDialog::~ImportDialog() = default;
 
 QWidget* ImportDialog::makeStructures() {
   auto* page = new QWidget;
-  auto* filter = new QLineEdit;
-  filter->setObjectName(QStringLiteral("importFilter"));
-  filter->setPlaceholderText(tr("Filter by name or file"));
-  filter->setAccessibleName(tr("Filter by name or file"));
-  filter->setClearButtonEnabled(true);
+  QLineEdit* filter = makeFilterLine(QStringLiteral("importFilter"), tr("Filter by name or file"),
+                                     tr("Filter by name or file"));
+  filter->setToolTip(
+      tr("Words in any order; “%1” or a comma between them finds either").arg(orWord()));
   m_tree = new PlanTree(m_draft);
   m_selection = new SelectionPanel(m_draft, m_names);
   auto* layout = new QVBoxLayout(page);

@@ -1,34 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/import_dialog/plan_tree.h"
 
+#include <QHash>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QSortFilterProxyModel>
 #include <algorithm>
+#include <vector>
+
+#include "widgets/session/typed_wishes.h"
 
 namespace sline::widgets {
 
-namespace {
-
-/// Filters by names and files; the other columns are only sorted.
+/// Filters by names and files, those of groups holding for what is in them; the other columns are
+/// only sorted.
 class NameOrFile : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
 
+  void setWishes(const QString& text) {
+    if (m_wishes.setText(text))
+      invalidateFilter();
+  }
+
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
-    const auto contains = [&](int column) {
-      return sourceModel()
-          ->index(row, column, parent)
-          .data()
-          .toString()
-          .contains(filterRegularExpression());
-    };
-    return contains(PlanTreeModel::name) || contains(PlanTreeModel::file);
+    std::vector<bool> found(m_wishes.words().size());
+    for (QModelIndex index = sourceModel()->index(row, 0, parent);
+         m_wishes.active() && index.isValid(); index = index.parent()) {
+      const SearchedNames& names = namesOf(index);
+      for (std::size_t i = 0; i < found.size(); ++i)
+        found[i] = found[i] || names.have(m_wishes.words()[i]);
+    }
+    return m_wishes.satisfied(found);
   }
-};
 
-}  // namespace
+ private:
+  const SearchedNames& namesOf(const QModelIndex& index) const {
+    QStringList called;
+    for (const int column : {PlanTreeModel::name, PlanTreeModel::file})
+      called << index.siblingAtColumn(column).data().toString();
+    const QString key = called.join(u'\n');
+    const auto known = m_known.constFind(key);
+    if (known != m_known.cend())
+      return *known;
+    SearchedNames names{.text = searchable(key), .words = {}, .sides = {}};
+    for (const QString& name : called)
+      names.addWords(name);
+    return *m_known.insert(key, std::move(names));
+  }
+
+  TypedWishes m_wishes;
+  mutable QHash<QString, SearchedNames> m_known;  ///< by name and file
+};
 
 PlanTree::PlanTree(ImportDraft& draft, QWidget* parent)
     : QTreeView(parent), m_model(new PlanTreeModel(draft, this)), m_filtered(new NameOrFile(this)) {
@@ -72,8 +96,7 @@ void PlanTree::setFilter(const QString& text) {
   const NodeIds before = selectedNodes();
   m_filtering = true;
   selectionModel()->clearSelection();
-  m_filtered->setFilterRegularExpression(QRegularExpression(
-      QRegularExpression::escape(text), QRegularExpression::CaseInsensitiveOption));
+  m_filtered->setWishes(text);
   expandAll();
   selectNodes(before);
   m_filtering = false;

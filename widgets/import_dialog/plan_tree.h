@@ -5,9 +5,9 @@
 
 #include "widgets/import_dialog/plan_tree_model.h"
 
-class QSortFilterProxyModel;
-
 namespace sline::widgets {
+
+class NameOrFile;
 
 /// Lists what would be imported: sorted by any column, filtered by name or file, with several rows
 /// edited at once.
@@ -17,7 +17,8 @@ class PlanTree : public QTreeView {
   explicit PlanTree(ImportDraft& draft, QWidget* parent = nullptr);
 
   PlanTreeModel& tree() { return *m_model; }
-  /// Shows the structures that have the text in their names, files or groups.
+  /// Shows the structures that have what is asked for (TypedWishes) in their names, files or
+  /// groups.
   void setFilter(const QString& text);
   NodeIds selectedNodes() const;
   /// Returns the index of the node's row in the view's own model.
@@ -36,7 +37,7 @@ class PlanTree : public QTreeView {
   void selectNodes(const NodeIds& ids);
 
   PlanTreeModel* m_model;
-  QSortFilterProxyModel* m_filtered;
+  NameOrFile* m_filtered;
   bool m_filtering = false;
 };
 

@@ -12,8 +12,8 @@
 #include "model/edit/look.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/session/colour_dialog.h"
-#include "widgets/shell/window_actions.h"
-#include "widgets/structure_tree/row_filter.h"
+#include "widgets/session/typed_wishes.h"
+#include "widgets/shell/filter_line.h"
 #include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 
@@ -22,19 +22,14 @@ namespace sline::widgets {
 StructureTree::StructureTree(Session& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_filter(new QLineEdit),
+      m_filter(makeFilterLine(QStringLiteral("structureFilter"), tr("Filter structures by name"),
+                              tr("Filter by name"))),
       m_count(new QLabel),
       m_view(new StructureTreeView(session)) {
-  m_filter->setObjectName(QStringLiteral("structureFilter"));
-  m_filter->setAccessibleName(tr("Filter structures by name"));
-  m_filter->setPlaceholderText(tr("Filter by name"));
   m_filter->setToolTip(
       tr("Words in any order; “%1” or a comma between them finds either. Enter selects all that "
          "match, Down goes to the list, Escape shows all again.")
           .arg(orWord()));
-  // What was typed to find something is no step of the scene.
-  m_filter->setProperty(ownUndo, true);
-  m_filter->setClearButtonEnabled(true);
   m_filter->installEventFilter(this);
   m_count->setObjectName(QStringLiteral("filterCount"));
   m_count->setContentsMargins(10, 0, 10, 6);

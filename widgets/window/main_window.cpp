@@ -19,6 +19,7 @@
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/near_tool.h"
 #include "widgets/focus/subject_popup.h"
+#include "widgets/form/longest_text.h"
 #include "widgets/help/help_key.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/shell/message_bar.h"
@@ -72,6 +73,7 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   new FocusRing(this);
   new ControlWheel(this);
   new NumberLimits(this);
+  new LongestText(this);
   new UndoKeys(*this, m_actions);
   makeCentre();
   makeControls();

@@ -6,10 +6,9 @@
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QPointer>
 #include <QSpinBox>
-#include <QToolTip>
 
+#include "widgets/form/longest_text.h"
 #include "widgets/window/number_line.h"
 
 namespace sline::widgets {
@@ -61,17 +60,6 @@ NumberLimits::NumberLimits(QObject* parent) : QObject(parent) {
   qApp->installEventFilter(this);
 }
 
-void NumberLimits::say(QAbstractSpinBox& box) const {
-  // What hides a message, such as the keyboard's going elsewhere, comes before this.
-  const auto show = [there = QPointer<QAbstractSpinBox>(&box)] {
-    constexpr int readable = 6000;  // milliseconds
-    if (there && there->isVisible())
-      QToolTip::showText(there->mapToGlobal(there->rect().bottomLeft()), limitsOf(*there), there,
-                         there->rect(), readable);
-  };
-  QMetaObject::invokeMethod(qApp, show, Qt::QueuedConnection);
-}
-
 bool NumberLimits::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::FocusOut)
     return false;
@@ -86,7 +74,7 @@ bool NumberLimits::eventFilter(QObject* watched, QEvent* event) {
     return false;
   const QValidator::State state = judged(*box, text);
   if (state == QValidator::Invalid || (entered && state != QValidator::Acceptable))
-    say(*box);
+    sayAt(*box, limitsOf(*box));
   return false;
 }
 

@@ -3,8 +3,6 @@
 
 #include <QObject>
 
-class QAbstractSpinBox;
-
 namespace sline::widgets {
 
 /// Says which numbers can be set where a box refuses what is typed or pasted, or enters another
@@ -17,9 +15,6 @@ class NumberLimits : public QObject {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-
- private:
-  void say(QAbstractSpinBox& box) const;
 };
 
 }  // namespace sline::widgets
