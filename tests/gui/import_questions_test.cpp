@@ -161,6 +161,46 @@ class ImportQuestionsTest : public QObject {
     }
   }
 
+  /// A file that has become another patient's is asked about when it is read again, as when it is
+  /// added: the scene knows whose it is, even where nothing else of it is left.
+  void reloadedFilesAreAskedAbout() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mask.nrrd");
+    writeText(file, maskOf("1\n0020|000d:=1.2.3"));
+    Desk desk;
+    QVERIFY(desk.f.drop(file) && desk.f.settled());
+    const model::Scene before = desk.f.session.scene();
+    const int steps = desk.f.session.history().count();
+    writeText(file, maskOf("2\n0020|000d:=1.2.9"));
+    const auto reload = [&desk] { desk.f.control<QAction>("reload").trigger(); };
+    for (const char* answer : {"", "patientsFirst"}) {
+      reload();
+      QVERIFY(desk.asks());
+      const QString said = desk.box()->informativeText();
+      QVERIFY2(said.contains("1: what is open") && said.contains("2: mask.nrrd"), qPrintable(said));
+      if (*answer)
+        desk.click(answer);
+      else
+        QTest::keyClick(desk.box(), Qt::Key_Escape);
+      QTRY_VERIFY(!desk.box());
+      QVERIFY(desk.f.settled());
+      QVERIFY(desk.f.session.scene() == before);
+      QCOMPARE(desk.f.session.history().count(), steps);
+    }
+    reload();
+    QVERIFY(desk.asks());
+    desk.click("patientsTogether");
+    QVERIFY(desk.f.settled());
+    QCOMPARE(desk.f.session.history().count(), steps + 1);
+    // The same patient's needs no question.
+    desk.f.session.undo();
+    writeText(file, maskOf("1\n0020|000d:=1.2.3\nanother:=word"));
+    reload();
+    QVERIFY(desk.f.settled());
+    QVERIFY(!desk.box());
+    QCOMPARE(desk.f.session.history().count(), steps + 1);
+  }
+
   /// What is added goes where it fits in with what is open.
   void whatIsAddedFitsIn() {
     const QTemporaryDir folder;

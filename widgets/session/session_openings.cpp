@@ -8,6 +8,7 @@
 #include "model/edit/settled_units.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/read_inputs.h"
+#include "model/import/plan/reload_patients.h"
 #include "model/import/plan/scene_inputs.h"
 #include "widgets/session/session.h"
 
@@ -39,12 +40,38 @@ QStringList remarksOf(const model::Reloaded& reloaded) {
   return remarks;
 }
 
+/// Tells whether a file was not read because of whose it is now.
+bool refusedPatients(const model::Reloaded& reloaded) {
+  return std::any_of(
+      reloaded.files.begin(), reloaded.files.end(),
+      [](const model::ReloadedFile& file) { return file.reason == model::otherPatientNow; });
+}
+
 /// Returns where to look for files again, because scenes refer to files beside them.
 std::vector<std::filesystem::path> placesOf(std::vector<std::filesystem::path> sources) {
   for (std::filesystem::path& path : sources)
     if (!model::isSurfaceFile(path) && !std::filesystem::is_directory(path))
       path = path.parent_path();
   return sources;
+}
+
+using Patients = model::PatientsWanted;
+
+/// Reads the sources again. Where files of the scene have become another patient's it asks first,
+/// if there is a way to go on from the answer.
+SceneMaker reloaderOf(const model::Scene& scene, const std::vector<std::filesystem::path>& places,
+                      Patients wanted, const std::function<void(Patients)>& answered = {}) {
+  return [scene, places, wanted, answered](const model::ImportProgress& progress,
+                                           const std::stop_token&) {
+    const model::ReadOptions options{.goesOn = [&progress] { return progress(0.0f, {}); }};
+    model::Reloaded reloaded = model::reload(scene, places, options, wanted);
+    if (answered && refusedPatients(reloaded))
+      return Result<LoadedDocument>(
+          LoadedDocument{.question = PatientQuestion{
+                             model::patientsToReload(scene, places, options), true, answered}});
+    return Result<LoadedDocument>(
+        LoadedDocument{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
+  };
 }
 
 /// Makes structures hide what is behind them unless the scene sets a fill, because a drawing in a
@@ -140,16 +167,14 @@ void Session::reloadSources() {
     return recipe->options.patients == model::PatientsWanted::together;
   };
   const std::vector<ImportRecipe>& all = m_recipes[m_document.opening];
-  const auto patients = std::any_of(all.begin(), all.end(), isTogether)
-                            ? model::PatientsWanted::together
-                            : model::PatientsWanted::one;
-  startJob(m_document.title, [scene = sceneBeforePreview(), places = sources(), patients](
-                                 const model::ImportProgress& progress, const std::stop_token&) {
-    const auto goesOn = [&progress] { return progress(0.0f, {}); };
-    model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn}, patients);
-    return Result<LoadedDocument>(
-        LoadedDocument{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
-  });
+  const Patients wanted =
+      std::any_of(all.begin(), all.end(), isTogether) ? Patients::together : Patients::one;
+  const auto answered = [this, opening = m_document.opening](Patients answer) {
+    if (m_document.opening == opening)
+      startJob(m_document.title, reloaderOf(sceneBeforePreview(), placesOf(sources()), answer));
+  };
+  startJob(m_document.title,
+           reloaderOf(sceneBeforePreview(), placesOf(sources()), wanted, answered));
 }
 
 void Session::revert() {

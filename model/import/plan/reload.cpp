@@ -14,6 +14,7 @@
 #include "model/import/plan/file_marks.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/patients.h"
+#include "model/import/plan/reload_patients.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
 #include "model/scene/measured_extent.h"
@@ -155,36 +156,32 @@ class Reloader {
   Reloader(const Scene& scene, const ReadOptions& options, PatientsWanted patients)
       : m_options(options), m_patients(patients), m_nodes(scene.nodes()) {
     m_result.scene = scene;
+    m_sorter.add(TracedScene{openSceneName, scene.traces()});
   }
 
   Reloaded run(std::span<const fs::path> places) {
-    std::vector<Origin> origins = originsOf(m_result.scene);
-    std::set<std::string> names;
-    for (const Origin& origin : origins)
-      names.insert(origin.file);
-    const auto found = filesNamed(names, places, m_result.warnings);
-    for (Origin& origin : origins)
-      if (const auto candidates = found.find(origin.file); candidates != found.end())
-        origin.shown = candidates->second.begin()->filename().string();
-    std::vector<Compared> fates;
-    for (const Origin& origin : origins) {
-      const auto candidates = found.find(origin.file);
-      fates.push_back(candidates == found.end()
-                          ? Compared{Fate::absent, "no file of this name was found"}
-                          : compareFiles(origin, candidates->second, origins));
-      // What stays says whose the scene is.
-      if (fates.back().fate == Fate::unchanged)
-        m_sorter.add(fates.back().file, patientMarks(fates.back().file, m_options.limits));
-    }
-    for (std::size_t i = 0; i < origins.size() && m_options.goesOn(); ++i)
-      if (fates[i].fate == Fate::replaced)
-        read(origins[i], fates[i].file, fates[i].now);
+    compare(places);
+    for (std::size_t i = 0; i < m_origins.size() && m_options.goesOn(); ++i)
+      if (m_fates[i].fate == Fate::replaced)
+        read(m_origins[i], m_fates[i].file, m_fates[i].now);
       else
-        tell(origins[i], fates[i].fate, fates[i].reason);
+        tell(m_origins[i], m_fates[i].fate, m_fates[i].reason);
     m_result.changed = !m_result.meshes.empty();
-    if (m_result.changed)
+    if (m_result.changed) {
       m_result.scene = withNewMeshes(m_result.scene, m_result.meshes);
+      std::vector<SourceTrace> traces = m_result.scene.traces();
+      addTraces(traces, newTraces(m_marks, traces));
+      m_result.scene.setTraces(std::move(traces));
+    }
     return std::move(m_result);
+  }
+
+  Patients patients(std::span<const fs::path> places) {
+    compare(places);
+    for (const Compared& each : m_fates)
+      if (each.fate == Fate::replaced)
+        m_sorter.add(each.file, patientMarks(each.file, m_options.limits));
+    return m_sorter.patients();
   }
 
  private:
@@ -195,6 +192,28 @@ class Reloader {
     fs::path file = {};
     Fingerprint now = {};
   };
+
+  /// Finds the files of the scene's structures and what has become of them.
+  void compare(std::span<const fs::path> places) {
+    std::vector<Origin>& origins = m_origins;
+    origins = originsOf(m_result.scene);
+    std::set<std::string> names;
+    for (const Origin& origin : origins)
+      names.insert(origin.file);
+    const auto found = filesNamed(names, places, m_result.warnings);
+    for (Origin& origin : origins)
+      if (const auto candidates = found.find(origin.file); candidates != found.end())
+        origin.shown = candidates->second.begin()->filename().string();
+    for (const Origin& origin : origins) {
+      const auto candidates = found.find(origin.file);
+      m_fates.push_back(candidates == found.end()
+                            ? Compared{Fate::absent, "no file of this name was found"}
+                            : compareFiles(origin, candidates->second, origins));
+      // What stays says whose the scene is, as its traces do.
+      if (m_fates.back().fate == Fate::unchanged)
+        m_sorter.add(m_fates.back().file, patientMarks(m_fates.back().file, m_options.limits));
+    }
+  }
 
   void tell(const Origin& origin, Fate fate, std::string reason = {}) {
     ReloadedFile line{origin.shown, fate, std::move(reason), {}};
@@ -235,12 +254,14 @@ class Reloader {
   /// Tells whether the file is of the same patient as those before it, which it then joins.
   bool isOfThePatient(const fs::path& file) {
     PatientSorter with = m_sorter;
-    with.add(file, patientMarks(file, m_options.limits));
+    const std::vector<PatientMarks> marks = patientMarks(file, m_options.limits);
+    with.add(file, marks);
     // A scene may be of several on purpose: then another one more is not.
-    if (m_patients == PatientsWanted::one &&
+    if (m_patients != PatientsWanted::together &&
         with.patients().apart.size() > m_sorter.patients().apart.size())
       return false;
     m_sorter = std::move(with);
+    m_marks.insert(m_marks.end(), marks.begin(), marks.end());
     return true;
   }
 
@@ -268,7 +289,7 @@ class Reloader {
 
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
     if (!isOfThePatient(file))
-      return tell(origin, Fate::failed, "it is of another patient than the other files now");
+      return tell(origin, Fate::failed, otherPatientNow);
     ReadOptions options = m_options;
     options.smoothing = readersSmoothing(origin);
     options.thresholds = thresholdsOf(origin);
@@ -338,7 +359,10 @@ class Reloader {
   const ReadOptions& m_options;
   PatientsWanted m_patients;
   const std::vector<Node>& m_nodes;
+  std::vector<Origin> m_origins;
+  std::vector<Compared> m_fates;  ///< of the origins
   PatientSorter m_sorter;
+  std::vector<PatientMarks> m_marks;  ///< of what was read
   Reloaded m_result;
 };
 
@@ -389,6 +413,11 @@ Reloaded reload(const Scene& scene, std::span<const fs::path> places, const Read
   for (NewMesh& change : reloaded.meshes)
     change.provenance = reloaded.scene.find(change.structure)->provenance;
   return reloaded;
+}
+
+Patients patientsToReload(const Scene& scene, std::span<const fs::path> places,
+                          const ReadOptions& options) {
+  return Reloader(scene, options, PatientsWanted::one).patients(places);
 }
 
 }  // namespace sline::model

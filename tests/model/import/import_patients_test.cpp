@@ -8,6 +8,7 @@
 #include "model/import/plan/patients.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/reload.h"
+#include "model/import/plan/reload_patients.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/model/import/dicom/written_images.h"
 #include "tests/model/import/dicom/written_structures.h"
@@ -127,6 +128,7 @@ class ImportPatientsTest : public QObject {
   void onlyTheFirst();
   void nothingOfThemIsTold();
   void reloadStaysWithThePatient();
+  void reloadComparesTheScenesTraces();
   void beginningsThatEndAnywhere();
 };
 
@@ -341,6 +343,31 @@ void ImportPatientsTest::nothingOfThemIsTold() {
   all += told(together->report).toUtf8();
   for (const QByteArray& word : {secret.id, QByteArray("QZXDOE"), secret.study, secret.frame})
     QVERIFY2(!all.contains(word), word.constData());
+}
+
+/// Where no file is as it was, the scene still knows whose it is.
+void ImportPatientsTest::reloadComparesTheScenesTraces() {
+  const QTemporaryDir folder;
+  const auto inputs = written(folder, {{"a.nrrd", nrrd("0020|000d:=1.2.3\n")}});
+  const auto imported = importInputs(inputs, {});
+  QVERIFY(imported.ok());
+  QCOMPARE(imported->scene.traces().size(), std::size_t(1));
+  test::writeText(folder.filePath("a.nrrd"), nrrd("0020|000d:=1.2.3\nnote:=new\n"));
+  QVERIFY(reload(imported->scene, inputs).changed);
+  QVERIFY(!patientsToReload(imported->scene, inputs).several());
+  test::writeText(folder.filePath("a.nrrd"), nrrd("0020|000d:=1.2.9\n"));
+  for (const PatientsWanted wanted : {PatientsWanted::one, PatientsWanted::first}) {
+    const Reloaded other = reload(imported->scene, inputs, {}, wanted);
+    QVERIFY(!other.changed);
+    QCOMPARE(other.files.front().reason, std::string(otherPatientNow));
+  }
+  const Patients patients = patientsToReload(imported->scene, inputs);
+  QCOMPARE(patients.apart.size(), std::size_t(2));
+  QCOMPARE(patients.apart[0].files, std::vector<Path>{openSceneName});
+  QCOMPARE(patients.apart[1].files.front().filename(), Path("a.nrrd"));
+  const Reloaded together = reload(imported->scene, inputs, {}, PatientsWanted::together);
+  QVERIFY(together.changed);
+  QCOMPARE(together.scene.traces().size(), std::size_t(2));
 }
 
 void ImportPatientsTest::reloadStaysWithThePatient() {
