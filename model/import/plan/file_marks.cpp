@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <regex>
 
 #include "model/base/letters.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/molecules/elements.h"
 #include "model/import/naming/names.h"
 
 namespace sline::model {
@@ -31,12 +33,35 @@ std::string fileMark(const std::filesystem::path& file) {
 }
 
 bool isEntryFile(const std::filesystem::path& file) {
-  const std::string stem = stemOf(file);
-  const std::string id = stem.substr(0, stem.find("-assembly"));
-  constexpr std::size_t length = 4;  // a digit, then letters and digits
-  return id.size() == length && isDigit(id.front()) &&
-         std::all_of(id.begin(), id.end(), [](char c) { return isDigit(c) || isLetter(c); }) &&
-         std::any_of(id.begin(), id.end(), isLetter);
+  const std::string stem = lowerCase(stemOf(file));
+  static const std::regex entry(
+      "(?:[0-9](?=[a-z0-9]*[a-z])[a-z0-9]{3}|pdb_[0-9]{4}[0-9][a-z0-9]{3})(?:-assembly.*)?"
+      // An accession of UniProt, and which part of the protein.
+      "|af-(?:[opq][0-9][a-z0-9]{3}[0-9]|[a-nr-z][0-9](?:[a-z][a-z0-9]{2}[0-9]){1,2})"
+      "(?:-[0-9]+)?-f[0-9]+(?:-model_v[0-9]+)?");
+  return std::regex_match(stem, entry);
+}
+
+bool isOfEntry(const std::string& group) {
+  return isEntryFile(group.substr(0, std::min(group.find(" – "), group.rfind(", assembly "))));
+}
+
+std::string shownMoleculePart(const std::string& name) {
+  constexpr std::string_view dash = " – ";
+  const std::size_t at = name.find(dash);
+  if (at != std::string::npos)
+    return mayBeShown(name.substr(at + dash.size())) ? name : name.substr(0, at);
+  const std::size_t open = name.rfind(" (");
+  const std::size_t close = name.find(')', std::min(open, name.size()));
+  if (close == std::string::npos || mayBeShown(name.substr(0, open)))
+    return name;
+  const std::string code = name.substr(open + 2, close - open - 2);
+  const Element* element = elementOf(code.substr(0, code.find_first_of("0123456789")));
+  constexpr std::size_t ending = 3;  // chlorine is chloride as an ion
+  const bool ofElement =
+      element && lowerCase(name).starts_with(element->name.substr(
+                     0, element->name.size() - std::min(ending, element->name.size() - 1)));
+  return ofElement ? name : code + name.substr(close + 1);
 }
 
 std::string partMark(const std::string& part) {

@@ -86,9 +86,15 @@ class GroupNames {
   /// Names the group of a molecule, which its reader calls after the file and the title in it:
   /// "2SRC – Human tyrosine kinase, assembly 1". Entries of the Protein Data Bank are no one's.
   std::string ofEntry(const std::string& given) {
+    if (isOfEntry(given))
+      return given;
     const std::size_t assembly = std::min(given.rfind(", assembly "), given.size());
     const std::string entry = given.substr(0, std::min(given.find(" – "), assembly));
-    return isEntryFile(entry) ? given : of(entry, "molecule") + given.substr(assembly);
+    return of(entry, "molecule") + given.substr(assembly);
+  }
+  /// Names a group in that of a molecule, such as one of its ligands.
+  std::string inEntry(const std::string& entry, const std::string& given) const {
+    return m_keep || isOfEntry(entry) ? given : shownMoleculePart(given);
   }
   std::string of(const std::string& given, const std::string& other = "group") {
     if (m_keep || mayBeShown(given))
@@ -179,7 +185,7 @@ class Builder {
       Branch* at = &entries.back();
       for (std::size_t i = 0; i < raw.groups.size(); ++i)
         if (i > 0)
-          at = &at->child(raw.groups[i]);
+          at = &at->child(m_groups.inEntry(raw.groups.front(), raw.groups[i]));
         else
           at->name = m_groups.ofEntry(raw.groups[i]);
       at->parts.push_back(part);

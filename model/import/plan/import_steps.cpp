@@ -131,6 +131,8 @@ void hideNames(const RawMesh& raw, Provenance& provenance) {
   // Who asks for a threshold names what it makes.
   if (!raw.molecule && !raw.threshold)
     provenance.part = partMark(provenance.part);
+  if (raw.molecule && !(raw.groups.empty() || isOfEntry(raw.groups.front())))
+    provenance.part = shownMoleculePart(provenance.part);
 }
 
 /// Returns the plan's tree with the surfaces that came of it.

@@ -12,6 +12,7 @@
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/frame_fit.h"
 #include "model/import/volumes/volume_set.h"
 #include "model/import/volumes/volume_surfaces.h"
@@ -174,6 +175,15 @@ PartName shownOf(const std::string& name, bool whole) {
   return shown;
 }
 
+/// Returns the name of a part of a molecule. What files that are no published entries call chains
+/// has been given by somebody, who may have called them after a patient.
+PartName moleculePartName(const RawMesh& raw, bool whole) {
+  if (whole || (!raw.groups.empty() && isOfEntry(raw.groups.front())))
+    return {raw.name, raw.name};
+  const std::string shown = shownMoleculePart(raw.name);
+  return {shown, raw.name, shown != raw.name};
+}
+
 /// Returns the name of a part: what may be shown of that in its file or, where there is none, of
 /// the file's name. What files call their parts has been given to patients' parts, too.
 PartName partName(const RawMesh& raw, const SourceFile& source, const Sources& sources, bool only,
@@ -182,7 +192,7 @@ PartName partName(const RawMesh& raw, const SourceFile& source, const Sources& s
       raw.file.empty() ? source.file : std::filesystem::path(raw.file);
   const std::string stem = stemOf(file);
   if (raw.molecule && !source.model)
-    return {raw.name, raw.name};
+    return moleculePartName(raw, keepNames);
   std::string given = nameInFile(raw.name);
   if (given.empty())
     given = readableName(stem);

@@ -8,6 +8,7 @@
 
 #include "model/import/plan/reload.h"
 #include "model/scene_json/scene_json.h"
+#include "tests/model/import/molecules/entry_files.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"
 
@@ -160,6 +161,68 @@ class FileNamesTest : public QObject {
     const Reloaded reloaded = reload(scene, std::array{std::filesystem::path(m_top.toStdString())});
     QCOMPARE(named(reloaded.scene, "femur").mesh->bounds().high.x, 7.0f);
     QCOMPARE(foundIn(sceneJson(reloaded.scene)), QStringList());
+  }
+
+  /// Nor what the file of a molecule calls its chains and ligands, unless it is a published entry,
+  /// whose names are public.
+  void namesOfMoleculesNeither_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("published");
+    QTest::newRow("of a laboratory") << "model.pdb"
+                                     << "    " << false;
+    QTest::newRow("of a laboratory, with an id like a number") << "model.pdb"
+                                                               << "4711" << false;
+    QTest::newRow("entry") << "model.pdb"
+                           << "1CRN" << true;
+    QTest::newRow("entry, by its file's name") << "1crn.pdb"
+                                               << "    " << true;
+    QTest::newRow("predicted") << "AF-P69905-F1-model_v4.pdb"
+                               << "    " << true;
+  }
+  void namesOfMoleculesNeither() {
+    QFETCH(QString, file);
+    QFETCH(QString, id);
+    QFETCH(bool, published);
+    std::vector<Written> atoms = helix("ACDEFGHIKL");
+    for (int i = 0; i < 2; ++i)
+      atoms.push_back({.name = i == 0 ? " C1 " : " O1 ",
+                       .residue = "EOH",
+                       .number = 50,
+                       .place = {20.0 + 1.4 * i, 0, 0},
+                       .element = i == 0 ? "C" : "O",
+                       .hetero = true});
+    atoms.push_back({.name = "ZN  ",
+                     .residue = " ZN",
+                     .number = 51,
+                     .place = {30.0, 0, 0},
+                     .element = "ZN",
+                     .hetero = true});
+    const QByteArray head = "HEADER    TRIAL                                   01-JAN-00   " +
+                            id.toLatin1() +
+                            "\nTITLE     MODEL OF QZXDOE\n"
+                            "COMPND    MOL_ID: 1;\nCOMPND   2 MOLECULE: KINASE OF QZXJANE;\n"
+                            "COMPND   3 CHAIN: A;\nHETNAM     EOH QZXJANES DRUG\n"
+                            "HETNAM      ZN ZINC ION\n";
+    QDir(m_top).removeRecursively();
+    QDir().mkpath(m_top);
+    writeText(m_top + '/' + file, head + pdbFile(atoms));
+    const auto result =
+        importInputs(std::array{std::filesystem::path((m_top + '/' + file).toStdString())}, {});
+    QVERIFY(result.ok());
+    const QString names = namesIn(result->scene).join(", ");
+    QCOMPARE(names.contains("Chain A – Kinase of qzxjane"), published);
+    QCOMPARE(names.contains("[Qzxjanes drug (EOH)]"), published);
+    QVERIFY2(names.contains("Chain A") && names.contains("EOH") && names.contains("Zinc ion"),
+             qPrintable(names));
+    const QStringList found = foundIn(sceneJson(result->scene));
+    QVERIFY2(published || found.isEmpty(), qPrintable(found.join(' ') + ": " + names));
+    // Who wants it has it all.
+    ImportOptions keep;
+    keep.keepFileNames = true;
+    const auto kept =
+        importInputs(std::array{std::filesystem::path((m_top + '/' + file).toStdString())}, keep);
+    QVERIFY(kept.ok() && namesIn(kept->scene).join(", ").contains("Kinase of qzxjane"));
   }
 
   /// It is said that names are not whole.
