@@ -2,6 +2,7 @@
 #include "render/export/plate/free_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,19 @@ std::optional<glm::vec2> FreePlaces::shift(const LabelBox& box,
         if (free({box.low + by, box.high + by}))
           return by;
       }
+  return std::nullopt;
+}
+
+std::optional<glm::vec2> FreePlaces::corner(const glm::vec2& size) const {
+  constexpr float margin = markMargin;
+  constexpr std::array upAndDown{glm::vec2{0.0f, 1.0f}};
+  const glm::vec2 far = m_page - margin - size;
+  if (!m_drawn)
+    return far;
+  for (const glm::vec2& corner :
+       {far, glm::vec2{margin, far.y}, glm::vec2{far.x, margin}, glm::vec2{margin, margin}})
+    if (const auto by = shift({corner, corner + size}, upAndDown))
+      return corner + *by;
   return std::nullopt;
 }
 

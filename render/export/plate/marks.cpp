@@ -291,7 +291,6 @@ class MarkLayout {
   void addGammaKeys();
   void addCaption();
   void addLegend();
-  std::optional<glm::vec2> cornerFor(const glm::vec2& size) const;
 
   const ExportOrder& m_order;
   const SeenArea* m_drawn;
@@ -367,20 +366,6 @@ void MarkLayout::addGammaKeys() {
   }
 }
 
-/// Returns the upper left corner of a legend of that size: in the picture's lower right corner,
-/// else in one of the others, else nothing.
-std::optional<glm::vec2> MarkLayout::cornerFor(const glm::vec2& size) const {
-  const glm::vec2 far = m_size - margin - size;
-  const std::array<glm::vec2, 4> corners{far, glm::vec2{margin, far.y}, glm::vec2{far.x, margin},
-                                         glm::vec2{margin, margin}};
-  if (!m_drawn)
-    return far;
-  for (const glm::vec2& corner : corners)
-    if (const auto by = m_places.shift({corner, corner + size}, upAndDown))
-      return corner + *by;
-  return std::nullopt;
-}
-
 /// Adds swatches and names in the lower right corner, in columns no higher than to the letter at
 /// the picture's right side and no wider than to that at its foot. What finds no room is left out.
 void MarkLayout::addLegend() {
@@ -417,7 +402,7 @@ void MarkLayout::addLegend() {
   const std::size_t down = (shown + across - 1) / across;
   const glm::vec2 size{float(across) * (width + measure.between) - measure.between,
                        float(down) * measure.row};
-  const std::optional<glm::vec2> corner = cornerFor(size);
+  const std::optional<glm::vec2> corner = m_places.corner(size);
   if (!corner) {
     addNote(m_marks.notes,
             {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"legend"}, .detail = {}});
@@ -439,31 +424,48 @@ void MarkLayout::addLegend() {
   m_marks.legend = m_marks.boxes.back();
 }
 
-/// Adds what the view says, in the middle above the marks at the foot, left of the legend.
+/// Adds what the view says, in the middle above the marks at the foot, left of the legend. Where
+/// anatomy leaves it no room there, nor above, it stands in a corner, and if need be in a narrower
+/// box.
 void MarkLayout::addCaption() {
   const std::string& text = m_order.words.text.in(model::firstLanguage(m_order.labels.language));
   const std::string markup = captionMarkup(ownTitle(), text);
   if (QString::fromStdString(markup).trimmed().isEmpty())
     return;
   constexpr float tallest = 0.4f;  // of the page's height
+  constexpr float beside = 0.6f;   // of it, in a corner
   const float right = m_marks.legend ? m_marks.legend->low.x : m_size.x - margin;
   LabelStyle style = m_order.labels;
   style.ground = m_order.environment.background;
-  const std::optional<Caption> caption =
-      captionOf(markup, style,
-                {.middle = 0.5f * (margin + right),
-                 .foot = m_size.y - std::max(m_marks.edges.bottom, margin),
-                 .width = std::min(captionShare * m_size.x, right - margin),
-                 .height = tallest * m_size.y});
+  const auto set = [&](float width, float height) {
+    return captionOf(markup, style,
+                     {.middle = 0.5f * (margin + right),
+                      .foot = m_size.y - std::max(m_marks.edges.bottom, margin),
+                      .width = std::min(width * m_size.x, right - margin),
+                      .height = height * m_size.y});
+  };
+  std::optional<Caption> caption = set(captionShare, tallest);
   if (!caption) {
     addNote(m_marks.notes,
             {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"caption"}, .detail = {}});
     return;
   }
+  std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
+  const float narrowest = 7.0f * points(1.0f) * millimetresPerPoint;
+  for (const float width : {captionShare, 0.5f, 0.36f, 0.25f, 0.17f}) {
+    if (free || !m_drawn || width * m_size.x < narrowest)
+      break;
+    const std::optional<Caption> other = set(width, beside);
+    if (!other || (other->shortened && !caption->shortened))
+      continue;
+    if (const std::optional<glm::vec2> corner = m_places.corner(other->box.size())) {
+      free = *corner - other->box.low;
+      caption = other;
+    }
+  }
   if (caption->shortened)
     noteShortened(plainText(caption->item.text->lines.front()));
   // What the view says is never lost: where anatomy leaves it no room the picture ends above it.
-  const std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
   const glm::vec2 by = free.value_or(glm::vec2(0.0f));
   if (!free && m_drawn)
     cutFrom(caption->box.low.y - gap);

@@ -41,8 +41,9 @@ struct Marks {
 /// must be valid.
 ///
 /// Marks keep off what the picture shows, where that is given: a letter moves along its edge, other
-/// marks along theirs or to another corner, and what would touch anatomy wherever it stood is left
-/// out and told. What the view says and whose work it is then stand at the foot of the page, and
+/// marks along theirs or to another corner, what the view says in a narrower box if need be, and
+/// what would touch anatomy wherever it stood is left out and told. What the view says and whose
+/// work it is then stand at the foot of the page, and
 /// the picture ends above them (`Marks::cutOff`), which is told, too. Without it each mark is in
 /// its usual place: for a camera that is yet to be fitted. In films it is what any frame shows, so
 /// that marks stay where they are.

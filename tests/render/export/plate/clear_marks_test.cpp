@@ -165,6 +165,35 @@ class ClearMarksTest : public QObject {
     QCOMPARE(plate.marks.caption->low.y, marksOf(order).caption->low.y);
   }
 
+  /// Where a ball fills the picture from its head to its foot, what the view says stands in a
+  /// corner, in a box that is narrow enough, and the picture stays whole.
+  void wordsGoToACorner() {
+    ExportOrder order = orderOf(sphereScene());
+    order.words.text.text = "What the view says takes some lines where the box is narrow";
+    order.marks.scaleBar = false;
+    order.camera.projection = model::Projection::orthographic;
+    order.camera.heightMm = 95.0f;
+    const Screen screen(order.camera, order.page.sizeMm);
+    const glm::vec2 middle = *screen.place({0.0f, 0.0f, 0.0f});
+    const float outline = 50.0f * order.page.sizeMm.y / order.camera.heightMm;
+    const FigurePlate plate = figurePlate(order);
+    QVERIFY(plate.marks.caption && !plate.marks.cutOff);
+    const LetteringItem& caption = *find(plate.marks, "caption");
+    const QRectF box = boxOf(caption);
+    QVERIFY(QRectF(0, 0, 160, 90).contains(box));
+    for (const QPointF& corner :
+         {box.topLeft(), box.topRight(), box.bottomLeft(), box.bottomRight()})
+      QVERIFY(glm::distance(glm::vec2(float(corner.x()), float(corner.y())), middle) > outline);
+    QCOMPARE(plainText(caption.text->lines, QChar(' ')),
+             QString::fromStdString(order.words.text.text));
+    for (const ExportNote& note : plate.marks.notes)
+      QVERIFY(note.kind != ExportNote::Kind::textShortened &&
+              note.kind != ExportNote::Kind::footCutOff);
+    // With a ball over all of the page it stands below the picture.
+    order.camera.heightMm = 40.0f;
+    QVERIFY(figurePlate(order).marks.cutOff);
+  }
+
   void nothingCoversAnything_data() {
     QTest::addColumn<QSizeF>("page");
     QTest::addColumn<double>("points");
