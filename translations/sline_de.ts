@@ -5716,6 +5716,14 @@
         <comment>between two wishes of the filter</comment>
         <translation>oder</translation>
     </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>another than its name says</source>
+        <translation>eine andere, als der Name sagt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7365,6 +7373,10 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als Einheit nehmen</translation>
     </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either</source>
+        <translation>Wörter in beliebiger Reihenfolge; „%1“ oder ein Komma dazwischen findet jedes von beiden</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -7754,6 +7766,16 @@ OpenGL: %3</translation>
     <message>
         <source>In No View</source>
         <translation>In keiner Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LongestText</name>
+    <message numerus="yes">
+        <source>At most %n characters have room here</source>
+        <translation>
+            <numerusform>Hier ist Platz für höchstens %n Zeichen</numerusform>
+            <numerusform>Hier ist Platz für höchstens %n Zeichen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9190,6 +9212,10 @@ OpenGL: %3</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1: lies on the other side than its name says</source>
+        <translation>%1: liegt auf der anderen Seite, als der Name sagt</translation>
     </message>
 </context>
 <context>

@@ -399,6 +399,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::LongestText</name>
+    <message numerus="yes">
+        <source>At most %n characters have room here</source>
+        <translation>
+            <numerusform>At most %n character has room here</numerusform>
+            <numerusform>At most %n characters have room here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MessageBar</name>
     <message numerus="yes">
         <source>Show all %n</source>

@@ -5716,6 +5716,14 @@
         <comment>between two wishes of the filter</comment>
         <translation>eller</translation>
     </message>
+    <message>
+        <source>Side</source>
+        <translation>Side</translation>
+    </message>
+    <message>
+        <source>another than its name says</source>
+        <translation>en annen enn navnet sier</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7365,6 +7373,10 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>Bruk %1 som enhet</translation>
     </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either</source>
+        <translation>Ord i valgfri rekkefølge; «%1» eller et komma mellom dem finner begge</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -7754,6 +7766,16 @@ OpenGL: %3</translation>
     <message>
         <source>In No View</source>
         <translation>Ikke i noen visning</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LongestText</name>
+    <message numerus="yes">
+        <source>At most %n characters have room here</source>
+        <translation>
+            <numerusform>Her er det plass til høyst %n tegn</numerusform>
+            <numerusform>Her er det plass til høyst %n tegn</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9190,6 +9212,10 @@ OpenGL: %3</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>%1: lies on the other side than its name says</source>
+        <translation>%1: ligger på den andre siden enn navnet sier</translation>
     </message>
 </context>
 <context>

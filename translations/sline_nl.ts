@@ -5716,6 +5716,14 @@
         <comment>between two wishes of the filter</comment>
         <translation>of</translation>
     </message>
+    <message>
+        <source>Side</source>
+        <translation>Zijde</translation>
+    </message>
+    <message>
+        <source>another than its name says</source>
+        <translation>een andere dan de naam zegt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7365,6 +7373,10 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als eenheid nemen</translation>
     </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either</source>
+        <translation>Woorden in willekeurige volgorde; “%1” of een komma ertussen vindt elk van beide</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -7754,6 +7766,16 @@ OpenGL: %3</translation>
     <message>
         <source>In No View</source>
         <translation>In geen aanzicht</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LongestText</name>
+    <message numerus="yes">
+        <source>At most %n characters have room here</source>
+        <translation>
+            <numerusform>Hier is plaats voor hoogstens %n teken</numerusform>
+            <numerusform>Hier is plaats voor hoogstens %n tekens</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9190,6 +9212,10 @@ OpenGL: %3</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 tot %2</translation>
+    </message>
+    <message>
+        <source>%1: lies on the other side than its name says</source>
+        <translation>%1: ligt aan de andere kant dan de naam zegt</translation>
     </message>
 </context>
 <context>
