@@ -41,6 +41,7 @@ struct Span {
   float low = 0.0f;
   float high = 0.0f;
   float length() const { return high - low; }
+  bool operator==(const Span&) const = default;
 };
 
 struct Column {

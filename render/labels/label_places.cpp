@@ -62,6 +62,19 @@ void Layouter::widen() {
     if (widths[side] > m_widths[side])
       m_widths[side] = follows() ? std::max(widest, widths[side]) : widths[side];
   m_edges = edgesOf(m_near, m_frame, m_widths);
+  findDrawn();
+}
+
+void Layouter::findDrawn() {
+  if (!m_request.drawn || m_request.still)
+    return;
+  for (const std::size_t side : {0, 1}) {
+    const Span across = acrossColumn(side);
+    if (across == m_across[side])
+      continue;
+    m_across[side] = across;
+    m_overDrawn[side] = heightsOver(*m_request.drawn, across);
+  }
 }
 
 bool Layouter::narrow() {
@@ -80,11 +93,15 @@ Column Layouter::column(LabelPost post) const {
           .blocked = blockedIn(post)};
 }
 
+Span Layouter::acrossColumn(std::size_t side) const {
+  const float edge = m_edges[side];
+  return side == 0 ? Span{edge - m_widths[0], edge} : Span{edge, edge + m_widths[1]};
+}
+
 std::vector<Span> Layouter::blockedIn(LabelPost post) const {
   const std::size_t side = post == LabelPost::left ? 0 : 1;
-  const float edge = m_edges[side];
-  const Span across = side == 0 ? Span{edge - m_widths[0], edge} : Span{edge, edge + m_widths[1]};
-  std::vector<Span> blocked;
+  const Span across = acrossColumn(side);
+  std::vector<Span> blocked = m_overDrawn[side];
   const auto block = [&](const LabelBox& box) {
     if (box.low.x < across.high && box.high.x > across.low)
       blocked.push_back({box.low.y - clearance, box.high.y + clearance});
@@ -192,7 +209,9 @@ bool Layouter::misplaced(std::size_t i) const {
   const bool own =
       label.post != LabelPost::byHand &&
       (coversOwn(item(i), label.box) || runsThrough(label.leader, label.box.grown(-rounding)));
-  return own || !within(label.box, m_frame) ||
+  const bool overDrawn = m_request.drawn && !m_request.still && isColumn(label.post) &&
+                         liesOver(*m_request.drawn, label.box);
+  return own || overDrawn || !within(label.box, m_frame) ||
          std::any_of(reserved.begin(), reserved.end(), [&](const LabelBox& one) {
            return overlap(label.box, one) ||
                   (label.post != LabelPost::byHand && runsThrough(label.leader, one));

@@ -7,7 +7,13 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "render/labels/seen_map.h"
+
 namespace sline::render {
+
+namespace {
+constexpr float airToDrawn = 0.4f;  // around a box: as text keeps off others
+}
 
 bool standsBeside(const LabelItem& item) {
   return item.kind == model::AnnotationKind::pin || item.kind == model::AnnotationKind::distance;
@@ -82,6 +88,26 @@ bool within(const LabelBox& box, const LabelBox& frame) {
   const LabelBox room = frame.grown(rounding);
   return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x &&
          box.high.y <= room.high.y;
+}
+
+bool liesOver(const SeenArea& drawn, const LabelBox& box) {
+  return drawn.anyIn(box.grown(airToDrawn));
+}
+
+std::vector<Span> heightsOver(const SeenArea& drawn, const Span& across) {
+  std::vector<Span> heights;
+  const SeenGrid& grid = drawn.grid;
+  for (int y = 0; y < grid.rows; ++y) {
+    const float middle = grid.middle(0, y).y;
+    if (!drawn.anyIn({{across.low - airToDrawn, middle}, {across.high + airToDrawn, middle}}))
+      continue;
+    constexpr float rounding = 1e-2f;
+    const float reach = 0.5f * grid.side + airToDrawn + rounding;
+    if (heights.empty() || heights.back().high < middle - reach)
+      heights.push_back({middle - reach, middle + reach});
+    heights.back().high = middle + reach;
+  }
+  return heights;
 }
 
 bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "render/labels/column.h"
 #include "render/labels/layout.h"
@@ -40,6 +41,11 @@ std::array<float, 2> edgesOf(const std::array<float, 2>& beside, const LabelBox&
 bool hasRoom(const LabelBox& frame, const glm::vec2& box);
 /// Tells whether the box is within the frame, apart from rounding.
 bool within(const LabelBox& box, const LabelBox& frame);
+/// Tells whether text in the box would lie over what is drawn.
+bool liesOver(const SeenArea& drawn, const LabelBox& box);
+/// Returns the heights at which text between those two x would lie over what is drawn, from the
+/// top.
+std::vector<Span> heightsOver(const SeenArea& drawn, const Span& across);
 bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others);
 /// Returns the nearest place for the box within the frame where nothing is reserved; the box
 /// unchanged where no such place is found beside the areas that it covers.

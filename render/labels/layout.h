@@ -20,6 +20,8 @@
 
 namespace sline::render {
 
+struct SeenArea;
+
 /// Tells where a label stands; `beside` means beside its place, without a leader.
 enum class LabelPost { left, right, beside, byHand };
 
@@ -70,6 +72,10 @@ struct LabelRequest {
   bool still = false;
   std::array<float, 2> widths{};  ///< in a film, of the left and the right column
   float textWidth = 0.0f;         ///< the width to which texts were broken; kept for later layouts
+  /// What the picture shows, if labels of columns must keep off it; null where they lie over
+  /// anatomy rather than be left out, as while one works with the picture. In a film it counts for
+  /// nothing, as heights are planned.
+  const SeenArea* drawn = nullptr;
 };
 
 struct PlacedLabel {
@@ -113,10 +119,10 @@ LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm:
 
 /// Lays out the labels. Every layout satisfies this: no two boxes overlap, no two leaders cross, no
 /// leader passes another's dot, runs through a box, its own or another's, or turns by more than a
-/// right angle, no box but
-/// one moved by hand covers its own dot or the line that it measures, all boxes lie within the
-/// space, and no part of them lies where it is reserved, except leaders to labels moved by hand. A
-/// label moved by hand stays where it was put and the others stand as if it had not been, except
+/// right angle, no box but one moved by hand covers its own dot or the line that it measures, all
+/// boxes lie within the space, no part of them lies where it is reserved, except leaders to labels
+/// moved by hand, and no box of a column lies over what is drawn, where that is known. A label
+/// moved by hand stays where it was put and the others stand as if it had not been, except
 /// those that would collide: they give way by as little as helps, with a bend of the leader, in
 /// their column, to the other side, or they are left out. Labels that find no place are left out:
 /// hidden ones before seen ones, names of what the picture shows less of before others (twice as

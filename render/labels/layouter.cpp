@@ -45,6 +45,8 @@ LabelLayout Layouter::layOut() {
     if (narrow())
       settle();
     comeBack(chosen);
+    if (m_request.drawn)
+      fillEdges();
   }
   return answer();
 }

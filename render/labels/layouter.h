@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lays out the labels of one request. Labels choose their posts (layouter.cpp) and are given places
-// there (label_places.cpp), until none is in conflict with another.
+// there (label_places.cpp), until none is in conflict with another. What anatomy leaves no room in
+// a column may have some at the picture's edge (edge_places.cpp).
 #pragma once
 
 #include <array>
@@ -59,8 +60,12 @@ class Layouter {
   void widen();
   /// Takes back the room of boxes that have left a column; tells whether there was some.
   bool narrow();
+  /// Finds where the columns would lie over what is drawn, if they must not.
+  void findDrawn();
   /// Tells whether the layout follows others, of which it keeps what it can.
   bool follows() const { return m_request.moving || (m_before && !m_before->labels.empty()); }
+  /// Returns between which x the column on that side stands.
+  Span acrossColumn(std::size_t side) const;
   /// Returns the heights of a column that are taken by things that do not give way, or by its
   /// labels' dots.
   std::vector<Span> blockedIn(LabelPost post) const;
@@ -79,6 +84,10 @@ class Layouter {
   /// Lets those that gave way come back on the sides that were chosen for them, where that has
   /// become possible, also with leaders that bend round others.
   void comeBack(const std::vector<Fate>& chosen);
+  /// Lets labels in that anatomy leaves no room in their columns: each by itself stands at the
+  /// picture's edge where it lies over nothing that is drawn.
+  void fillEdges();
+  bool placeAtEdge(std::size_t i, LabelPost post);
   void choosePosts();
   /// Lets a label that is too wide into a column where nothing else stands.
   void letWideIn();
@@ -132,6 +141,8 @@ class Layouter {
   std::array<float, 2> m_near{};  ///< the edges of columns that have room there
   std::array<float, 2> m_edges{};
   std::array<float, 2> m_widths{};
+  std::array<Span, 2> m_across{};                ///< between which x columns were when it was found
+  std::array<std::vector<Span>, 2> m_overDrawn;  ///< at which heights they lie over what is drawn
   bool m_bending = false;  ///< leaders of columns are bent, so that left out labels find room
   bool m_crowded = false;  ///< more than fit: none goes across for the sake of another
   float m_middle = 0.0f;

@@ -173,7 +173,22 @@ LabelRequest requestOf(const LabelSights& sights, const LabelStyle& style, const
           .towardsEye = sights.towardsEye,
           .moving = turn.moving,
           .still = turn.still,
-          .widths = turn.widths};
+          .widths = turn.widths,
+          .drawn = turn.drawn};
+}
+
+/// Returns widths of lines that may leave fewer labels out. Beside marks there may be room for long
+/// lines where there is none for several; beside anatomy that must stay clear, for short ones.
+std::vector<float> otherWidths(const LabelSights& sights, const LabelStyle& style,
+                               const LabelTurn& turn) {
+  constexpr float nearlyHalf = 0.42f;
+  const float em = style.points * millimetresPerPoint;
+  std::vector<float> widths{
+      std::max(widestTextMm(sights.size.x, style), nearlyHalf * sights.size.x)};
+  if (turn.drawn)
+    for (const float ems : {5.0f, 6.5f, 8.0f})
+      widths.push_back(ems * em);
+  return widths;
 }
 
 LabelPlate emptyPlate(const LabelSights& sights, const LabelStyle& style) {
@@ -263,16 +278,17 @@ LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const 
   LabelRequest request = requestOf(sights, style, turn);
   request.textWidth = textWidthFor(plate, request, turn);
   setPlate(plate, request, turn);
-  // Beside marks there may be room for long lines where there is none for several.
   const bool chosen = !turn.before || request.textWidth != turn.before->textWidth;
-  if (chosen && !plate.layout.leftOut.empty()) {
-    LabelPlate wide = plate;
-    constexpr float nearlyHalf = 0.42f;
-    request.textWidth = std::max(widestTextMm(sights.size.x, style), nearlyHalf * sights.size.x);
-    setPlate(wide, request, turn);
-    if (wide.layout.leftOut.size() < plate.layout.leftOut.size())
-      return numbered(std::move(wide), turn);
-  }
+  if (chosen)
+    for (const float width : otherWidths(sights, style, turn)) {
+      if (plate.layout.leftOut.empty())
+        break;
+      LabelPlate other = plate;
+      request.textWidth = width;
+      setPlate(other, request, turn);
+      if (other.layout.leftOut.size() < plate.layout.leftOut.size())
+        plate = std::move(other);
+    }
   return numbered(std::move(plate), turn);
 }
 

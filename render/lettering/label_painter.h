@@ -20,13 +20,14 @@ struct LabelPlate {
   UnseenLabels unseen;
 };
 
-/// Describes what precedes a picture that is one of many.
+/// Describes what precedes a picture that is one of many, and what labels keep off.
 struct LabelTurn {
   const LabelLayout* before = nullptr;  ///< that of the picture before
   bool moving = false;                  ///< as in LabelRequest: true until the camera rests
   bool hurried = false;                 ///< as in LabelsBefore
   bool still = false;                   ///< as in LabelRequest
   std::array<float, 2> widths{};        ///< as in LabelRequest
+  const SeenArea* drawn = nullptr;      ///< as in LabelRequest
 };
 
 /// Holds what a picture's labels go by before they are laid out.

@@ -126,11 +126,14 @@ class Making {
                     .name = std::string(m_kind) + ", " + m_side.name + (m_near ? ", near" : "") +
                             (m_cut ? ", section" : ""),
                     .height = std::clamp(m_size.height, 600, 1200),
-                    .near = m_near,
                     .colour = {},
                     .ink = {}};
-    product.colour = partsOf(look->scene, false);
-    product.ink = partsOf(look->scene, true);
+    for (const bool ink : {false, true}) {
+      auto parts = partsOf(look->scene, ink);
+      if (!parts)
+        return parts.error();
+      (ink ? product.ink : product.colour) = std::move(*parts);
+    }
     return product;
   }
 
@@ -162,7 +165,7 @@ class Making {
       leaveInkAlone(order);
   }
 
-  std::vector<PrintedPart> partsOf(const model::Scene& scene, bool ink) const {
+  Result<std::vector<PrintedPart>> partsOf(const model::Scene& scene, bool ink) const {
     ExportOrder order = orderOf(scene);
     const std::string kind = m_kind;
     if (kind == "sheet" || kind == "self-test") {
@@ -174,7 +177,7 @@ class Making {
       inked(order, ink);
       order.page.sizeMm = sheetFigureMm(order);
       fit(order, sheetFigure(order));
-      return {{sheetFigure(order), {}}};
+      return std::vector<PrintedPart>{{sheetFigure(order), {}}};
     }
     if (kind == "figure")
       return panelsOf(scene, ink);
@@ -191,16 +194,17 @@ class Making {
     order.scene = labelled(order.scene, Screen(order.camera, order.page.sizeMm), m_tools.trees);
     inked(order, ink);
     fit(order, order);
-    return {{std::move(order), {}}};
+    return std::vector<PrintedPart>{{std::move(order), {}}};
   }
 
-  std::vector<PrintedPart> panelsOf(const model::Scene& scene, bool ink) const {
+  Result<std::vector<PrintedPart>> panelsOf(const model::Scene& scene, bool ink) const {
     const Screen screen(m_camera, {120.0f, 90.0f});
     const auto shown = std::make_shared<const model::Scene>(labelled(scene, screen, m_tools.trees));
     model::Figure figure;
     figure.scene = "scene.sline";
     figure.blackAndWhite = ink;
-    figure.legend = model::FigureLegend::labelled;
+    // A legend of colours is refused in black and white.
+    figure.legend = ink ? model::FigureLegend::none : model::FigureLegend::labelled;
     for (const int more : {0, 1}) {
       model::FigurePanel panel;
       const Side& side = sides[std::size_t(m_index / int(kinds.size()) + more) % sides.size()];
@@ -208,8 +212,10 @@ class Making {
       figure.panels.push_back(panel);
     }
     const Result<FigurePlan> plan = planFigure(figure, {{"scene.sline", shown}});
+    if (!plan.ok())
+      return plan.error();
     std::vector<PrintedPart> parts;
-    for (std::size_t i = 0; plan.ok() && i < plan->panels.size(); ++i) {
+    for (std::size_t i = 0; i < plan->panels.size(); ++i) {
       PrintedPart& part = parts.emplace_back(PrintedPart{plan->panels[i], {}});
       if (const std::string& letter = plan->layout.panels[i].letter; !letter.empty())
         part.besides.items.push_back(drawnLetter(plan->figure, letter, glm::vec2(0.0f)));

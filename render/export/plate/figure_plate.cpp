@@ -7,6 +7,7 @@
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "render/export/plate/mark_text.h"
 #include "render/labels/seen_map.h"
 #include "render/lettering/looks_in_colour.h"
 
@@ -57,23 +58,29 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
     addNote(notes, std::move(note));
 }
 
-/// Returns the marks, which keep off what the picture shows.
-Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
-  Marks usual = marksOf(order);
-  if (usual.lettering.items.empty())
-    return usual;
+/// Returns what the picture shows, of which marks and labels keep off.
+SeenArea drawnIn(const ExportOrder& order, model::MeshTrees& trees) {
   const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
-  const SeenMap map(scene, Screen(order.camera, order.page.sizeMm), &trees);
-  const SeenArea drawn = map.drawnArea();
+  return SeenMap(scene, Screen(order.camera, order.page.sizeMm), &trees).drawnArea();
+}
+
+/// Returns the marks, which keep off what the picture shows.
+Marks marksBeside(const ExportOrder& order, Marks usual, const SeenArea& drawn) {
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
                                   [&](const LabelBox& box) { return drawn.anyIn(box); });
-  return clear ? usual : marksOf(order, &drawn);
+  return clear ? std::move(usual) : marksOf(order, &drawn);
 }
 
 }  // namespace
 
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
-  FigurePlate plate{.labels = {}, .marks = marksBeside(order, trees), .notes = {}};
+  FigurePlate plate{.labels = {}, .marks = marksOf(order), .notes = {}};
+  const bool labels = order.labels.mode != LabelMode::off && hasLabels(order.scene);
+  std::optional<SeenArea> drawn;
+  if (labels || !plate.marks.lettering.items.empty())
+    drawn = drawnIn(order, trees);
+  if (drawn)
+    plate.marks = marksBeside(order, std::move(plate.marks), *drawn);
   plate.notes = plate.marks.notes;
   if (order.labels.mode == LabelMode::off)
     return plate;
@@ -81,7 +88,12 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   style.ground = order.environment.background;
   style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
   const Screen screen(order.camera, order.page.sizeMm);
-  plate.labels = labelPlate(order.scene, screen, style, trees, turn);
+  // Below what cuts the picture off there is ground.
+  if (drawn && plate.marks.cutOff)
+    drawn = areaAbove(std::move(*drawn), plate.marks.cutOff->low.y);
+  LabelTurn beside = turn;
+  beside.drawn = drawn ? &*drawn : nullptr;
+  plate.labels = labelPlate(order.scene, screen, style, trees, beside);
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);

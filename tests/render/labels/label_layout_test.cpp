@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the promises of a layout on random labels, with mathematics of the test's own.
 #include <QtTest>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "render/labels/layout.h"
+#include "render/labels/seen_map.h"
 #include "tests/render/labels/layout_promises.h"
 #include "tests/support/suite.h"
 
@@ -67,6 +69,27 @@ double sharpestTurn(const Leader& leader) {
   }
   return sharpest;
 }
+
+/// A disc of anatomy.
+struct Disc {
+  glm::vec2 middle{0.0f};
+  float radius = 0.0f;
+
+  bool touches(const LabelBox& box) const {
+    return glm::distance(glm::clamp(middle, box.low, box.high), middle) < radius;
+  }
+  /// Returns what a picture of that size shows.
+  SeenArea area(const glm::vec2& size) const {
+    SeenArea area;
+    area.grid.side = size.y / 360.0f;
+    area.grid.rows = 360;
+    area.grid.columns = int(std::ceil(size.x / area.grid.side));
+    for (int y = 0; y < area.grid.rows; ++y)
+      for (int x = 0; x < area.grid.columns; ++x)
+        area.cells.push_back(glm::distance(area.grid.middle(x, y), middle) < radius);
+    return area;
+  }
+};
 
 }  // namespace
 
@@ -194,6 +217,38 @@ class LabelLayoutTest : public QObject {
       }
       placed += int(first.labels.size());
     }
+    QVERIFY2(placed > 2000, qPrintable(QString("only %1 labels found room").arg(placed)));
+  }
+
+  /// A disc that reaches into both columns, and over the picture's edges in some: no label of a
+  /// column lies over it, all other promises hold, and above and below it labels have room.
+  void nothingIsWhereAnatomyIs() {
+    int placed = 0;
+    int over = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+      LabelRequest request = randomRequest(seed, 40);
+      request.space.sideMargin = 0.0f;  // there is no picture
+      for (LabelItem& item : request.items)
+        item.offset.reset();
+      const glm::vec2 size = request.space.size;
+      const Disc disc{0.5f * size, (0.3f + 0.01f * float(seed % 30)) * size.x};
+      request.obstacles.extent = LabelBox{disc.middle - disc.radius, disc.middle + disc.radius};
+      const LabelLayout free = layOutLabels(request);
+      const SeenArea drawn = disc.area(size);
+      request.drawn = &drawn;
+      const LabelLayout first = layOutLabels(request);
+      for (const LabelLayout& layout : {first, layOutLabels(request, &first)}) {
+        const QString fault = broken(request, layout);
+        QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(fault)));
+        for (const PlacedLabel& label : layout.labels)
+          QVERIFY2(label.post == LabelPost::beside || !disc.touches(label.box),
+                   qPrintable(QString("seed %1: %2 lies over it").arg(seed).arg(label.id.value)));
+      }
+      for (const PlacedLabel& label : free.labels)
+        over += label.post != LabelPost::beside && disc.touches(label.box) ? 1 : 0;
+      placed += int(first.labels.size());
+    }
+    QVERIFY2(over > 300, qPrintable(QString("only %1 would lie over it").arg(over)));
     QVERIFY2(placed > 2000, qPrintable(QString("only %1 labels found room").arg(placed)));
   }
 

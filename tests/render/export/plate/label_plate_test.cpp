@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests plates: columns no wider than they must be, the anatomy as large as it can be beside them.
 #include <QTest>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/export/plate/figure_plate.h"
@@ -226,6 +227,50 @@ class LabelPlateTest : public QObject {
     const glm::vec2 room(order.page.sizeMm.x - left - right, order.page.sizeMm.y - 22.0f);
     const float filled = std::max(anatomy.size().x / room.x, anatomy.size().y / room.y);
     QVERIFY2(filled > 0.93f, qPrintable(QString::number(double(filled))));
+  }
+
+  void labelsKeepOffAnatomy_data() {
+    QTest::addColumn<QSizeF>("page");
+    QTest::addColumn<float>("nearer");
+    QTest::addColumn<bool>("most");
+    const auto row = [](const char* name, const QSizeF& page, float nearer, bool most) {
+      QTest::newRow(name) << page << nearer << most;
+    };
+    row("usual", {160, 120}, 1.0f, true);
+    row("a narrow panel", {55, 70}, 1.0f, true);
+    row("a small panel", {60, 45}, 1.0f, false);
+    row("tiny", {30, 40}, 1.0f, false);
+    row("nearer", {160, 120}, 1.5f, true);
+    row("into both columns", {120, 120}, 1.9f, false);
+  }
+  /// Whatever room a page has beside a ball, whose outline is a circle: no label lies over the
+  /// ball, and what finds no room is told.
+  void labelsKeepOffAnatomy() {
+    QFETCH(QSizeF, page);
+    QFETCH(float, nearer);
+    QFETCH(bool, most);
+    std::vector<std::string> texts = shortTexts(12);
+    texts[1] = "Musculus obturatorius internus sinister";
+    texts[4] = longWord;
+    ExportOrder order = orderOf(labelled(texts), {float(page.width()), float(page.height())});
+    order.labels.points = 8.0f;
+    order.camera.projection = model::Projection::orthographic;
+    fit(order, *m_typesetting);
+    order.camera.heightMm /= nearer;
+    const FigurePlate plate = figurePlate(order);
+    const glm::vec2 middle = *Screen(order.camera, order.page.sizeMm).place({0.0f, 0.0f, 0.0f});
+    // The mesh lies within the ball.
+    const float outline = 0.995f * 50.0f * order.page.sizeMm.y / order.camera.heightMm;
+    for (const PlacedLabel& label : plate.labels->layout.labels) {
+      const glm::vec2 nearest = glm::clamp(middle, label.box.low, label.box.high);
+      QVERIFY2(glm::distance(nearest, middle) > outline, "a label covers the anatomy");
+    }
+    std::size_t told = 0;
+    for (const ExportNote& note : plate.notes)
+      told += note.kind == ExportNote::Kind::labelsWithoutRoom ? note.names.size() : 0;
+    QCOMPARE(told, plate.labels->layout.leftOut.size());
+    if (most)
+      QVERIFY2(told <= 2, qPrintable(QString("%1 labels found no room").arg(told)));
   }
 
   /// Pictures that follow each other break lines as the first did.
