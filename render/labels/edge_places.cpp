@@ -9,6 +9,9 @@
 namespace sline::render {
 
 void Layouter::fillEdges() {
+  // Columns that no anatomy reaches into have no more room at the edge.
+  if (m_overDrawn[0].empty() && m_overDrawn[1].empty())
+    return;
   for (const bool hidden : {false, true})
     for (const std::size_t i : m_order) {
       const LabelItem& one = item(i);
@@ -22,8 +25,16 @@ void Layouter::fillEdges() {
     }
 }
 
+bool Layouter::standsClear(std::size_t i) const {
+  for (std::size_t k = 0; k < m_placed.size(); ++k)
+    if (k != i && m_placed[k] && inConflict(i, k))
+      return false;
+  return !misplaced(i);
+}
+
 bool Layouter::placeAtEdge(std::size_t i, LabelPost post) {
-  constexpr float step = 0.5f;
+  constexpr float step = 1.5f;
+  constexpr std::size_t bendStep = 2;  // of neighbours one is enough
   const LabelItem& one = item(i);
   const bool left = post == LabelPost::left;
   const float low = left ? m_frame.low.x : m_frame.high.x - one.box.x;
@@ -42,10 +53,10 @@ bool Layouter::placeAtEdge(std::size_t i, LabelPost post) {
     const LabelBox box{{low, top}, glm::vec2(low, top) + one.box};
     if (!within(box, m_frame) || !fits(i, box) || liesOver(*m_request.drawn, box))
       continue;
-    for (const LeaderBend& bend : leaderBends) {
-      m_placed[i] =
-          PlacedLabel{one.id, post, box, leaderOf(column, placeOf(one), box, bend), one.hidden};
-      if (conflictsOf(i) == 0)
+    for (std::size_t bend = 0; bend < leaderBends.size(); bend += bendStep) {
+      const Leader leader = leaderOf(column, placeOf(one), box, leaderBends[bend]);
+      m_placed[i] = PlacedLabel{one.id, post, box, leader, one.hidden};
+      if (standsClear(i))
         return true;
     }
   }

@@ -99,6 +99,8 @@ class Layouter {
   /// picture's edge where it lies over nothing that is drawn.
   void fillEdges();
   bool placeAtEdge(std::size_t i, LabelPost post);
+  /// Tells whether the label is in conflict with no other and stands where it may.
+  bool standsClear(std::size_t i) const;
   void choosePosts();
   /// Lets a label that is too wide into a column where nothing else stands.
   void letWideIn();

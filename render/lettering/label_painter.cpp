@@ -177,16 +177,21 @@ LabelRequest requestOf(const LabelSights& sights, const LabelStyle& style, const
           .drawn = turn.drawn};
 }
 
+/// Tells whether a column reaches into the anatomy.
+bool reachesIn(const LabelLayout& layout, const ObstacleMask& obstacles) {
+  return obstacles.extent &&
+         (layout.edges[0] > obstacles.extent->low.x || layout.edges[1] < obstacles.extent->high.x);
+}
+
 /// Returns widths of lines that may leave fewer labels out. Beside marks there may be room for long
 /// lines where there is none for several; beside anatomy that must stay clear, for short ones.
-std::vector<float> otherWidths(const LabelSights& sights, const LabelStyle& style,
-                               const LabelTurn& turn) {
+std::vector<float> otherWidths(const LabelSights& sights, const LabelStyle& style, bool shortToo) {
   constexpr float nearlyHalf = 0.42f;
   const float em = style.points * millimetresPerPoint;
   std::vector<float> widths{
       std::max(widestTextMm(sights.size.x, style), nearlyHalf * sights.size.x)};
-  if (turn.drawn)
-    for (const float ems : {5.0f, 6.5f, 8.0f})
+  if (shortToo)
+    for (const float ems : {5.0f, 8.0f})
       widths.push_back(ems * em);
   return widths;
 }
@@ -280,7 +285,8 @@ LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const 
   setPlate(plate, request, turn);
   const bool chosen = !turn.before || request.textWidth != turn.before->textWidth;
   if (chosen)
-    for (const float width : otherWidths(sights, style, turn)) {
+    for (const float width :
+         otherWidths(sights, style, turn.drawn && reachesIn(plate.layout, sights.obstacles))) {
       if (plate.layout.leftOut.empty())
         break;
       LabelPlate other = plate;
