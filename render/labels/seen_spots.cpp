@@ -176,7 +176,14 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   // Where a section shows the structure's inside, that is what the picture is made for.
   constexpr float roomOnFace = 3.6f;  // λ: a dot must not cover what it is on
   const auto face = deepest(all.cut, all.columns, all.rows);
-  const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda();
+  // Where others are near and it is hardly wider than a dot, the curves of pictures decide.
+  constexpr float roomToSee = 7.6f;  // λ, four radii of a dot
+  const auto shows = [&](const Spot& spot) {
+    const glm::vec2 middle = m_grid.middle(all.x(spot.cell), all.y(spot.cell));
+    return spot.depth * m_grid.side >= roomToSee * lambda() ||
+           all.worth[spot.cell] == Worth::alone || fine().dotLiesOn(all.layer, middle);
+  };
+  const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda() && shows(*face);
   if (before)
     if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
       return stays;
@@ -199,8 +206,10 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   constexpr float roomForDot = 4.5f;  // λ
   const float enough = roomForDot * lambda() / m_grid.side;
   if (onFace) {
-    const auto spot =
+    auto spot =
         towards ? nearest(all.cut, all.columns, std::min(enough, face->depth), *towards) : face;
+    if (!shows(*spot))
+      spot = face;
     return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
@@ -213,7 +222,7 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
     const float room = worth == Worth::alone ? std::max(enough, ownRoom) : enough;
     for (const bool firm : {true, false})
       if (const auto spot = towards ? nearSpot(is, firm, room) : spotOf(is, firm);
-          spot && spot->depth >= room)
+          spot && spot->depth >= room && shows(*spot))
         return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
   const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before, near);
