@@ -100,6 +100,15 @@ struct Parts {
   std::string context;  ///< likewise; empty: there is none
 };
 
+Parts partsOf(const PageTemplate& page, const WebProgram& program,
+              const model::PackedScene& packed) {
+  return {.style = page.style,
+          .script = inOneFunction(program.glue, page.script),
+          .wasm = gzipped(program.wasm),
+          .scene = gzipped(packed.first),
+          .context = packed.rest.empty() ? std::string() : gzipped(packed.rest)};
+}
+
 /// Puts everything into the page.
 void putWithin(const Parts& parts, std::vector<Filling>& fillings) {
   fillings.emplace_back("POLICY",
@@ -169,11 +178,7 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
   const model::PackedScene packed = model::packedScene(
       found ? withAllLabels(shown.scene) : shown.scene,
       {.later = laterStructures(shown.scene), .names = own.quiz != QuizMode::only});
-  Parts parts{.style = page->style,
-              .script = inOneFunction(program->glue, page->script),
-              .wasm = gzipped(program->wasm),
-              .scene = gzipped(packed.first),
-              .context = packed.rest.empty() ? std::string() : gzipped(packed.rest)};
+  const Parts parts = partsOf(*page, *program, packed);
   const PageWords words(shown, own);
   if (!goesOn(0.2, "describing pictures"))
     return givenUp({});
