@@ -29,6 +29,8 @@ bool saysMuscle(const std::string& word) {
 
 std::string keyOf(Words words) {
   std::erase_if(words, isFiller);
+  for (std::string& word : words)
+    word = plainSpelling(word);
   std::sort(words.begin(), words.end());
   std::string key;
   for (const std::string& word : words)
@@ -126,6 +128,16 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+/// Returns the counter at the end of the name (`withCounter`) as the language writes it.
+std::string counterOf(std::string_view name, NameLanguage language) {
+  std::string counter(name.substr(withoutCounter(name).size()));
+  const bool german = language == NameLanguage::german;
+  const bool shortened = language == NameLanguage::dutch || language == NameLanguage::norwegian;
+  if (const std::size_t at = counter.find("no. "); at != std::string::npos && (german || shortened))
+    counter.replace(at, 2, german ? "Nr" : "nr");
+  return counter;
+}
+
 /// Tells whether a word only tells apart structures of one name: "minor calyx a", "left kidney 2".
 bool isTag(const std::string& word) {
   const bool number =
@@ -185,21 +197,23 @@ std::optional<AnatomicalNames::Found> AnatomicalNames::lookUp(const Words& words
   return bare.size() < words.size() ? lookUp(bare) : std::nullopt;
 }
 
-std::optional<AnatomicalNames::Found> AnatomicalNames::lookUpSided(Words words) const {
+std::optional<AnatomicalNames::Found> AnatomicalNames::lookUpSided(const Words& words) const {
   // "left gastric artery" has its own row.
   if (std::optional<Found> found = lookUp(words))
     return found;
   Side side = Side::none;
-  for (const std::string& word : words) {
-    const Side here = sideOfWord(word);
+  Words rest;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Side here = sideAt(words, i);
+    if (here == Side::none)
+      rest.push_back(words[i]);
     if (here != Side::none && side != Side::none && here != side)
       return std::nullopt;  // "left branch of right …": better as in the file than mixed up
     side = here == Side::none ? side : here;
   }
   if (side == Side::none)
     return std::nullopt;
-  std::erase_if(words, [](const std::string& word) { return sideOfWord(word) != Side::none; });
-  std::optional<Found> found = lookUp(words);
+  std::optional<Found> found = lookUp(rest);
   if (found)
     found->side = side;
   return found;
@@ -259,7 +273,7 @@ std::string AnatomicalNames::displayName(std::string_view name, NameLanguage lan
   const std::optional<Found> found = find(name);
   if (!found)
     return std::string(name);
-  std::string result = text(*found, language);
+  std::string result = text(*found, language) + counterOf(name, language);
   return beginsCapital(name) ? capitalised(std::move(result)) : result;
 }
 

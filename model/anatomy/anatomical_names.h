@@ -30,6 +30,11 @@ class AnatomicalNames {
   /// Niere". Sides, numbers and trailing letters are kept; a capital at the beginning stays one.
   std::string displayName(std::string_view name, NameLanguage language) const;
 
+  /// Tells whether the name's number is part of what the table calls the thing: "rib 2".
+  bool isNumbered(std::string_view name) const {
+    const std::optional<Found> found = find(name);
+    return found && found->row->numbers;
+  }
   /// Tells whether the table has the name in any language.
   bool knows(std::string_view name) const { return find(name).has_value(); }
 
@@ -51,7 +56,7 @@ class AnatomicalNames {
   void fill(Words (*wordsOfName)(std::string_view), bool exact);
   void enter(const std::string& key, std::size_t row, bool exact);
   std::optional<Found> lookUp(const Words& words) const;
-  std::optional<Found> lookUpSided(Words words) const;
+  std::optional<Found> lookUpSided(const Words& words) const;
   std::optional<Found> disc(const Words& words) const;
   std::optional<Found> find(std::string_view name) const;
   static std::string text(const Found& found, NameLanguage language);

@@ -38,8 +38,9 @@ KinName kinName(std::string_view name) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
   KinName kin;
-  for (const std::string& word : words) {
-    if (const Side side = sideOfWord(word); side != Side::none) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (const Side side = sideAt(words, i); side != Side::none) {
       kin.side = side;
       continue;
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
@@ -14,11 +16,15 @@ constexpr std::array<std::string_view, 17> leftWords{
     "sinister", "sinistra", "sinistrum", "sinistri", "sinistrae",            // Latin
     "venstre",  "vänster",  "venstres"};  // Norwegian and neighbours
 
-constexpr std::array<std::string_view, 17> rightWords{
+constexpr std::array<std::string_view, 19> rightWords{
     "right",  "r",      "rt",                                        // English
     "rechts", "rechte", "rechter", "rechtes", "rechten", "rechtse",  // German, Dutch
     "dexter", "dextra", "dextrum", "dextri",  "dextrae",             // Latin
-    "høyre",  "höger",  "høyres"};                                   // Norwegian and neighbours
+    "høyre",  "höger",  "høyres",  "hoeyre",  "hoyre"};              // Norwegian and neighbours
+
+// German and Dutch, Norwegian, Latin, and what Italians and Spaniards write.
+constexpr std::array<std::string_view, 5> leftAbbreviations{"li", "lks", "ve", "sin", "sx"};
+constexpr std::array<std::string_view, 5> rightAbbreviations{"re", "rts", "hø", "dext", "dx"};
 
 /// Holds the nominatives: masculine, feminine and neuter, first the singular, then the plural.
 struct LatinForms {
@@ -55,6 +61,29 @@ Side sideOfWord(std::string_view word) {
   if (among(leftWords))
     return Side::left;
   return among(rightWords) ? Side::right : Side::none;
+}
+
+bool isSideAbbreviation(const std::vector<std::string>& words, std::size_t at) {
+  return sideOfWord(words[at]) == Side::none && sideAt(words, at) != Side::none;
+}
+
+Side sideAt(const std::vector<std::string>& words, std::size_t at) {
+  if (const Side whole = sideOfWord(words[at]); whole != Side::none)
+    return whole;
+  const auto tells = [](const std::string& word) {
+    return word.size() > 1 && !std::all_of(word.begin(), word.end(), isDigit);
+  };
+  const auto from = words.begin() + std::ptrdiff_t(at);
+  const bool first = std::none_of(words.begin(), from, tells);
+  const bool last = std::none_of(from + 1, words.end(), tells);
+  if (first == last)  // in the midst, or alone
+    return Side::none;
+  const auto among = [&from](const auto& list) {
+    return std::find(list.begin(), list.end(), *from) != list.end();
+  };
+  if (among(leftAbbreviations))
+    return Side::left;
+  return among(rightAbbreviations) ? Side::right : Side::none;
 }
 
 std::string withSide(const std::string& name, Side side, NameLanguage language,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/anatomy/name_words.h"
 
@@ -29,6 +30,15 @@ struct Agreement {
 
 /// Returns the side that the word alone names in any of the languages, or none for other words.
 Side sideOfWord(std::string_view word);
+
+/// Returns the side that the word at this place of a name's words (`wordsOf`) says: like
+/// `sideOfWord`, and by an abbreviation that elsewhere may be a person's name or another word
+/// ("Niere_li", "re. Lunge", "nyre hø", "ren sin") where it stands first or, numbers and letters
+/// aside, last.
+Side sideAt(const std::vector<std::string>& words, std::size_t at);
+
+/// Tells whether the word at this place is such an abbreviation.
+bool isSideAbbreviation(const std::vector<std::string>& words, std::size_t at);
 
 /// Returns the name with its side where the language puts it: "linke Niere", "ren sinister".
 std::string withSide(const std::string& name, Side side, NameLanguage language,

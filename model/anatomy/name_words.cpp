@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "model/base/letters.h"
 
@@ -56,7 +57,41 @@ std::string_view beforeSubtraction(std::string_view name) {
 
 }  // namespace
 
+std::string plainSpelling(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> spellings{
+      {{"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"ß", "ss"}, {"ø", "oe"}, {"å", "aa"}, {"æ", "ae"}}};
+  std::string plain;
+  for (std::size_t at = 0; at < word.size();) {
+    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) {
+      return word.substr(at).starts_with(each.first);
+    });
+    plain += found == spellings.end() ? word.substr(at, 1) : found->second;
+    at += found == spellings.end() ? 1 : found->first.size();
+  }
+  return plain;
+}
+
+std::string withCounter(std::string name, int number) {
+  name += " (no. ";
+  name += std::to_string(number);
+  name += ')';
+  return name;
+}
+
+std::string_view withoutCounter(std::string_view name) {
+  const std::size_t at = name.rfind(" (");
+  if (at == std::string_view::npos || at == 0 || !name.ends_with(')'))
+    return name;
+  std::string_view inside = name.substr(at + 2, name.size() - at - 3);
+  if (!inside.starts_with("no. ") && !inside.starts_with("nr. ") && !inside.starts_with("Nr. "))
+    return name;
+  inside.remove_prefix(4);
+  const bool counts = !inside.empty() && std::all_of(inside.begin(), inside.end(), isDigit);
+  return counts ? name.substr(0, at) : name;
+}
+
 std::vector<std::string> wordsOf(std::string_view name) {
+  name = withoutCounter(name);
   std::vector<std::string> words;
   std::string word;
   const auto finish = [&] {

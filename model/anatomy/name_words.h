@@ -21,6 +21,17 @@ std::vector<std::string> affirmedWords(std::string_view name);
 /// word is in lower case.
 std::string singular(std::string word);
 
+/// Returns the word, in lower case, as it is written where there are no umlauts: "hüftbein" →
+/// "hueftbein", "spiserør" → "spiseroer".
+std::string plainSpelling(std::string_view word);
+
+/// Returns the name with a counter that tells it from others that are called the same: "liver
+/// segment (no. 2)". Unlike a bare number it is no part of what the thing is called: `wordsOf` and
+/// what is made of it pass over it.
+std::string withCounter(std::string name, int number);
+/// Returns the name without such a counter, in any of the languages of names ("(Nr. 2)").
+std::string_view withoutCounter(std::string_view name);
+
 enum class Side { none, left, right };
 
 }  // namespace sline::model

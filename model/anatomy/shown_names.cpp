@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <unordered_set>
 #include <vector>
 
 #include "model/anatomy/anatomical_names.h"
+#include "model/anatomy/laterality_words.h"
 #include "model/anatomy/name_words.h"
+#include "model/anatomy/names_table.h"
 #include "model/anatomy/systems_table.h"
 #include "model/anatomy/table_rows.h"
 #include "model/base/letters.h"
@@ -20,7 +23,8 @@ namespace {
 /// Lists what the program, its users and makers of shapes call things that are no anatomy.
 constexpr std::string_view ownWords =
     "3d 2d 4d front rear back behind middle "
-    "surface structure segment segmentation seg label labelmap mask model mesh part piece "
+    "surface Körper lichaam kropp structure segment segmentation seg label labelmap mask model "
+    "mesh part piece "
     "volume scan scene group object shape body atlas demo test sample image series region "
     "area zone copy picture figure plate drawing view page sheet lesson quiz film slide deck "
     "card untitled ct mr mri mra cta pet us contrast phase smooth smoothed coarse fine final "
@@ -37,6 +41,7 @@ constexpr std::string_view ownWords =
 /// Lists words with which anatomists tell apart what the tables name, and what plans of treatment
 /// add.
 constexpr std::string_view anatomyWords =
+    "th met mets hcc ccc crlm rcc roi "
     "stone calculus concrement stent graft prosthesis screw rod nail wire coil drain needle "
     "electrode lead pacemaker cyst abscess haematoma hematoma mass lesion nodule metastasis "
     "metastases infarct thrombus aneurysm dissection stenosis fistula hernia polyp fracture "
@@ -102,35 +107,48 @@ constexpr std::string_view planWords =
 class KnownWords {
  public:
   KnownWords() {
-    add(ownWords);
-    add(anatomyWords);
-    add(qualifyingWords);
+    for (const std::string_view list : {ownWords, anatomyWords, qualifyingWords})
+      add(list);
     static const AnatomicalNames names;
     for (const NameRow& row : names.rows()) {
-      for (const std::string& name : row.names)
-        add(name);
+      for (std::size_t language = 0; language < nameLanguages; ++language)
+        add(row.names[language], NameLanguage(language) != NameLanguage::english);
       for (const std::string& name : row.synonyms)
         add(name);
     }
     for (const std::string_view table : {anatomySystemsText(), anatomyStructuresText()})
       for (const std::vector<std::string_view>& fields : tableRows(table))
         add(fields.front());
+    for (const std::vector<std::string_view>& fields : tableRows(cellNamesText()))
+      for (std::size_t i = 1; i < fields.size(); ++i)  // after the number
+        add(fields[i]);
   }
 
   bool has(const std::string& word) const {
-    return m_words.contains(word) || m_words.contains(singular(word));
+    return m_words.contains(plainSpelling(word)) || m_words.contains(plainSpelling(singular(word)));
   }
 
+  /// Tells whether the word is of a name in another language than English.
+  bool isForeign(const std::string& word) const { return m_foreign.contains(plainSpelling(word)); }
+
  private:
-  void add(std::string_view name) {
+  void add(std::string_view name, bool foreign = false) {
     for (const std::string& word : wordsOf(name)) {
-      m_words.insert(word);
-      m_words.insert(singular(word));
+      m_words.insert(plainSpelling(word));
+      m_words.insert(plainSpelling(singular(word)));
+      if (foreign)
+        m_foreign.insert(plainSpelling(word));
     }
   }
 
   std::unordered_set<std::string> m_words;
+  std::unordered_set<std::string> m_foreign;
 };
+
+const KnownWords& knownWords() {
+  static const KnownWords known;
+  return known;
+}
 
 enum class Telling {
   nothing,  ///< of a person either: a letter, a side, a small number
@@ -161,72 +179,190 @@ bool namesTarget(const std::vector<std::string>& words) {
   });
 }
 
+/// Tells whether the word only counts or classes, as "a", "12", "t12", "4a" and "c7b" do: parts of
+/// a figure, levels of the spine, segments of the liver, lobules of the cerebellum.
+bool onlyCounts(std::string_view word) {
+  constexpr std::size_t mostDigits = 2;  // more may be a date of birth or a number of a register
+  if (fromRoman(word) != 0)
+    return true;
+  const bool before = isLetter(word.front());
+  word.remove_prefix(before ? 1 : 0);
+  if (!word.empty() && isLetter(word.back()))
+    word.remove_suffix(1);
+  else if (word.empty())
+    return before;
+  return !word.empty() && word.size() <= mostDigits &&
+         std::all_of(word.begin(), word.end(), isDigit);
+}
+
 Telling tellingOf(const std::string& word, bool target) {
-  static const KnownWords known;
   constexpr std::size_t mostDigits = 2;  // more may be a date of birth or a number of a register
   const std::string_view number = withoutUnit(word);
   if (std::all_of(number.begin(), number.end(), isDigit))
     return number.size() <= mostDigits ? Telling::nothing : Telling::unknown;
-  // "a", and "a1" or "t12", which are parts of a figure or levels of the spine.
-  const bool letter = std::all_of(word.begin() + 1, word.end(), isDigit);
   constexpr std::array<std::string_view, 11> fillers{"to", "in", "with", "by", "from",   "the",
                                                      "at", "of", "and",  "or", "without"};
-  if (std::find(fillers.begin(), fillers.end(), word) != fillers.end() ||
-      (letter && word.size() <= 1 + mostDigits) || sideOfWord(word) != Side::none ||
-      fromRoman(word) != 0)
+  if (std::find(fillers.begin(), fillers.end(), word) != fillers.end() || onlyCounts(word) ||
+      sideOfWord(word) != Side::none)
     return Telling::nothing;
   static const std::vector<std::string> ofPlans = wordsOf(planWords);
   const bool ofPlan = target && std::find(ofPlans.begin(), ofPlans.end(), word) != ofPlans.end();
-  return ofPlan || known.has(word) ? Telling::something : Telling::unknown;
+  return ofPlan || knownWords().has(word) ? Telling::something : Telling::unknown;
 }
 
-/// Returns what the piece of a name tells: the most of its words.
-Telling tellingOfPiece(std::string_view piece, bool target) {
-  Telling most = Telling::nothing;
-  for (const std::string& word : wordsOf(piece))
-    most = std::max(most, tellingOf(word, target));
-  return most;
+/// Tells whether what is written at this place of a name's words ("li", "Re") is a side's
+/// abbreviation: all else is anatomy. "Li" is a person's name, too: beside English words it is a
+/// side only where it stands last and in letters of one size.
+bool isShortSide(const std::vector<std::string>& words, std::size_t at, std::string_view written,
+                 bool target) {
+  if (!isSideAbbreviation(words, at))
+    return false;
+  bool foreign = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i != at && tellingOf(words[i], target) == Telling::unknown)
+      return false;
+    foreign = foreign || (i != at && knownWords().isForeign(words[i]));
+  }
+  const bool plain =
+      std::none_of(written.begin() + 1, written.end(), isUpper) && isUpper(written.front());
+  return foreign || (at > 0 && !plain);
 }
 
-}  // namespace
+/// Tells whether what is written is a Roman number with a letter, as "IVa" and "VIIb"; "Xia" and
+/// "Iva" are persons' names where nothing before them says that they count.
+bool isRomanPart(std::string_view written, std::string_view before) {
+  constexpr std::string_view parts = "abcd";
+  const std::string lower = lowerCase(written);
+  if (lower.size() < 2 || parts.find(lower.back()) == std::string_view::npos ||
+      fromRoman(std::string_view(lower).substr(0, lower.size() - 1)) == 0)
+    return false;
+  const std::string_view number = written.substr(0, written.size() - 1);
+  const bool asNumber =
+      std::all_of(number.begin(), number.end(), isUpper) && isLower(written.back());
+  return (asNumber && written.size() > 2) || before == "segment" || before == "lobule";
+}
 
-std::string shownName(std::string_view name) {
-  std::string shown;
-  bool whole = true;
-  bool something = false;
-  int numbers = 0;
-  const bool target = namesTarget(wordsOf(name));
-  std::size_t endOfLast = 0;  ///< of the last piece that is shown
+/// What stands between two characters that are no letters or digits.
+struct NamePiece {
+  std::string_view text;
+  std::string_view between;  ///< before it, from the end of the one before
+  Telling telling = Telling::nothing;
+};
+
+std::vector<std::string_view> piecesOf(std::string_view name) {
+  std::vector<std::string_view> pieces;
   for (std::size_t at = 0; at < name.size();) {
     const auto isOfWord = [](char c) { return isLetter(c) || isDigit(c); };
     const auto begin = std::find_if(name.begin() + std::ptrdiff_t(at), name.end(), isOfWord);
     const auto end = std::find_if_not(begin, name.end(), isOfWord);
     at = std::size_t(end - name.begin());
-    if (begin == end)
-      break;
-    const std::string_view piece(&*begin, std::size_t(end - begin));
-    // Three numbers may be a date of birth.
-    const bool number = std::all_of(piece.begin(), piece.end(), isDigit);
-    const std::string lower = lowerCase(piece);
+    if (begin != end)
+      pieces.emplace_back(&*begin, std::size_t(end - begin));
+  }
+  return pieces;
+}
+
+bool isNumber(std::string_view piece) {
+  return std::all_of(piece.begin(), piece.end(), isDigit);
+}
+
+/// Tells whether the numbers are widths of a margin, all of them the same ("5_5_5"), and not the
+/// tenth of October 2010.
+bool areMargins(std::span<const std::string_view> pieces, const std::vector<std::string>& words) {
+  std::string_view first;
+  for (const std::string_view piece : pieces) {
+    if (!isNumber(piece))
+      continue;
+    if (!first.empty() && piece != first)
+      return false;
+    first = piece;
+  }
+  constexpr std::string_view lastMonth = "12";
+  const bool widens = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word == "expanded" || word == "margin" || word == "ring" || word == "prv";
+  });
+  const bool none = first.empty() || first.front() == '0' || first.size() > 2;
+  return !none && (first.size() == 1 || first > lastMonth || widens || namesTarget(words));
+}
+
+/// Returns the pieces of a name with what each tells.
+std::vector<NamePiece> toldPieces(std::string_view name) {
+  const std::vector<std::string_view> pieces = piecesOf(name);
+  const std::vector<std::string> words = wordsOf(name);
+  const bool target = namesTarget(words);
+  const bool margins = areMargins(pieces, words);
+  std::vector<NamePiece> told;
+  int numbers = 0;
+  std::size_t at = 0;  ///< of the piece's first word
+  for (const std::string_view piece : pieces) {
+    const bool number = isNumber(piece);
     numbers += number ? 1 : 0;
-    const Telling telling = target && isDose(withoutUnit(lower)) ? Telling::something
-                            : number && numbers > 2              ? Telling::unknown
-                                                                 : tellingOfPiece(piece, target);
-    if (telling == Telling::unknown) {
-      whole = false;
+    Telling telling = Telling::nothing;
+    const std::vector<std::string> own = wordsOf(piece);
+    for (const std::string& word : own) {
+      // In "NiereLi" the capital only begins the word.
+      const std::string_view written = own.size() == 1 ? piece : std::string_view(word);
+      const bool side = at < words.size() && isShortSide(words, at, written, target);
+      const bool part =
+          isRomanPart(written, at > 0 && at < words.size() ? std::string_view(words[at - 1])
+                                                           : std::string_view());
+      telling = std::max(telling, side || part ? Telling::nothing : tellingOf(word, target));
+      ++at;
+    }
+    // Three numbers may be a date of birth.
+    if (target && isDose(withoutUnit(lowerCase(piece))))
+      telling = Telling::something;
+    else if (number && numbers > 2 && !margins)
+      telling = Telling::unknown;
+    const std::string_view before = told.empty() ? std::string_view() : told.back().text;
+    const char* from = told.empty() ? name.data() : before.data() + before.size();
+    told.push_back({piece, {from, std::size_t(piece.data() - from)}, telling});
+  }
+  return told;
+}
+
+bool isUnknown(const NamePiece& piece) {
+  return piece.telling == Telling::unknown;
+}
+
+bool isTelling(const NamePiece& piece) {
+  return piece.telling == Telling::something;
+}
+
+}  // namespace
+
+std::string shownName(std::string_view name) {
+  const std::vector<NamePiece> pieces = toldPieces(name);
+  if (std::none_of(pieces.begin(), pieces.end(), isUnknown))
+    return pieces.empty() ? std::string() : std::string(name);
+  if (std::none_of(pieces.begin(), pieces.end(), isTelling))
+    return {};
+  std::string shown;
+  bool afterShown = false;
+  for (const NamePiece& piece : pieces) {
+    if (isUnknown(piece)) {
+      afterShown = false;
       continue;
     }
-    something = something || telling == Telling::something;
     // In "Liver-GTV" the dash says that the one is without the other.
-    const std::string_view between =
-        name.substr(endOfLast, std::size_t(begin - name.begin()) - endOfLast);
-    shown += shown.empty() ? "" : between == "-" || between == "+" ? between : " ";
-    shown += piece;
-    endOfLast = at;
+    const bool sign = afterShown && (piece.between == "-" || piece.between == "+");
+    shown += shown.empty() ? std::string_view() : sign ? piece.between : " ";
+    shown += piece.text;
+    afterShown = true;
   }
-  if (whole)
-    return shown.empty() ? shown : std::string(name);
-  return something ? shown : std::string();
+  return shown;
+}
+
+std::vector<std::string> wordsNotShown(std::string_view name) {
+  const std::vector<NamePiece> pieces = toldPieces(name);
+  const bool nothing = std::none_of(pieces.begin(), pieces.end(), isTelling);
+  std::vector<std::string> words;
+  if (std::none_of(pieces.begin(), pieces.end(), isUnknown))
+    return words;
+  for (const NamePiece& piece : pieces)
+    if (isUnknown(piece) || (nothing && !isNumber(piece.text)))
+      words.emplace_back(piece.text);
+  return words;
 }
 
 }  // namespace sline::model

@@ -120,6 +120,20 @@ bool isPartOfUnpaired(const NameWords& words) {
       "liver",   "hepatic",  "portal",  "heart",           "atrium",        "auricle",
       "cardiac", "coronary", "gastric", "colic",           "gastroomental", "gastroepiploic",
       "colon",   "bile",     "biliary", "brachiocephalic", "pancreatic",    "aortic"};
+  // A segment whose organ is not named is the liver's as often as the lung's, and "left medial
+  // lobe" no lung has.
+  static constexpr std::array<std::string_view, 4> segments{"segment", "subsegment", "sector",
+                                                            "subsector"};
+  static constexpr std::array<std::string_view, 1> lobe{"lobe"};
+  static constexpr std::array<std::string_view, 4> lobes{"medial", "lateral", "caudate",
+                                                         "quadrate"};
+  static constexpr std::array<std::string_view, 16> paired{
+      "lung",   "pulmonary", "bronchopulmonary", "bronchial", "bronchus", "kidney",
+      "renal",  "apical",    "apicoposterior",   "basal",     "lingular", "lingula",
+      "spinal", "breast",    "temporal",         "frontal"};
+  if ((hasAny(words, segments) || (hasAny(words, lobe) && hasAny(words, lobes))) &&
+      !hasAny(words, paired))
+    return true;
   static constexpr std::array<std::string_view, 1> ventricle{"ventricle"};
   static constexpr std::array<std::string_view, 1> lateral{"lateral"};
   return hasAny(words, unpaired) || (hasAny(words, ventricle) && !hasAny(words, lateral));

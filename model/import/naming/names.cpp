@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
 #include "model/anatomy/shown_names.h"
 #include "model/base/letters.h"
@@ -143,8 +144,9 @@ std::string nameInFile(std::string_view name) {
 
 SidedName sidedName(std::string_view name) {
   SidedName result;
-  for (std::string& word : wordsOf(name)) {
-    const Side side = sideOfWord(word);
+  const std::vector<std::string> words = wordsOf(name);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Side side = sideAt(words, i);
     // A name with both sides in it ("left duct of right lobe") takes the first one.
     if (side != Side::none && result.side == Side::none) {
       result.side = side;
@@ -152,12 +154,16 @@ SidedName sidedName(std::string_view name) {
     }
     if (!result.rest.empty())
       result.rest += ' ';
-    result.rest += singular(std::move(word));
+    result.rest += singular(words[i]);
   }
   return result;
 }
 
-void makeUnique(std::vector<std::string>& names) {
+namespace {
+
+/// Makes names different: `told` gives a name its number.
+template <class Told>
+void tellApartBy(std::vector<std::string>& names, const Told& told) {
   std::set<std::string> taken;
   for (const std::string& name : names)
     taken.insert(lowerCase(name));
@@ -168,13 +174,32 @@ void makeUnique(std::vector<std::string>& names) {
     if (seen.insert(key).second)
       continue;
     int& number = next.try_emplace(key, 2).first->second;
-    while (taken.contains(numbered(key, number)))
+    while (taken.contains(lowerCase(told(name, number))))
       ++number;
-    name = numbered(name, number);
+    name = told(name, number);
     taken.insert(lowerCase(name));
     seen.insert(lowerCase(name));
     ++number;
   }
+}
+
+}  // namespace
+
+void makeUnique(std::vector<std::string>& names) {
+  tellApartBy(names, numbered);
+}
+
+void tellApart(std::vector<std::string>& names, const std::vector<bool>& cut) {
+  static const AnatomicalNames anatomy;
+  std::set<std::string> shortened;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (cut[i])
+      shortened.insert(lowerCase(names[i]));
+  tellApartBy(names, [&shortened](const std::string& name, int number) {
+    const std::string plain = numbered(name, number);
+    const bool misread = shortened.contains(lowerCase(name)) || anatomy.isNumbered(plain);
+    return misread ? withCounter(name, number) : plain;
+  });
 }
 
 }  // namespace sline::model

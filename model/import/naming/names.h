@@ -32,5 +32,9 @@ SidedName sidedName(std::string_view name);
 
 /// Gives later names equal to an earlier one (case ignored) a number: "rib", "rib 2", "rib 3".
 void makeUnique(std::vector<std::string>& names);
+/// Does the same for names that are shown. Where the number would be read as the thing's own it is
+/// a counter (`withCounter`): where anatomy numbers such things ("rib (no. 2)"), and where words
+/// were left out of any of the equal names (`cut`, by index), one of which may have been a number.
+void tellApart(std::vector<std::string>& names, const std::vector<bool>& cut);
 
 }  // namespace sline::model

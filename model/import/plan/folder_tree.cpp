@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/anatomy/name_words.h"
 #include "model/import/naming/names.h"
 #include "model/import/naming/part_of_table.h"
 #include "model/import/plan/file_marks.h"
@@ -57,6 +58,11 @@ void pruneTop(Branch& top) {
   }
 }
 
+/// Tells whether it is a name for what has none, perhaps with a side.
+bool isUnnamed(const std::string& name) {
+  return sidedName(name).rest == unnamedStructure;
+}
+
 std::size_t groupCount(const Branch& branch) {
   std::size_t count = 0;
   for (const Branch& group : branch.groups)
@@ -105,7 +111,7 @@ class GroupNames {
     const std::string shown = shownFileName(given);
     std::string name = shown.empty() ? other + " 1" : shown;
     for (int number = 2; !m_taken.insert(name).second; ++number)
-      name = (shown.empty() ? other : shown) + ' ' + std::to_string(number);
+      name = shown.empty() ? other + ' ' + std::to_string(number) : withCounter(shown, number);
     return known->second = name;
   }
   /// Tells how many names are not whole, beside those of folders, which tell nothing of a
@@ -143,9 +149,12 @@ class Builder {
 
  private:
   void nameParts() {
-    for (const Part& part : m_parts)
+    std::vector<bool> cut;
+    for (const Part& part : m_parts) {
       m_names.push_back(part.name.empty() ? std::string(unnamedStructure) : part.name);
-    makeUnique(m_names);
+      cut.push_back(part.nameCut && !isUnnamed(m_names.back()));
+    }
+    tellApart(m_names, cut);
   }
 
   const SourceFile& fileOf(std::size_t part) const { return m_sources.files[m_parts[part].file]; }

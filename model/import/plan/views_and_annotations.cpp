@@ -25,7 +25,7 @@ class Furnisher {
     std::vector<std::string> names;
     for (const View& view : m_views)
       names.push_back(view.name);
-    makeUnique(names);
+    tellApart(names, m_viewCut);
     for (std::size_t i = 0; i < names.size(); ++i)
       m_views[i].name = names[i];
     m_built.scene.setViews(std::move(m_views));
@@ -57,6 +57,7 @@ class Furnisher {
       ids.push_back(add(fiducial));
     for (const SlicerView& saved : scene.views) {
       View view{.name = shown(saved.name, "view"), .camera = saved.camera};
+      m_viewCut.push_back(view.name != saved.name && view.name != "view");
       if (!saved.groups.empty() || !saved.models.empty())
         view.looks = looks(saved, source);
       if (!saved.fiducials.empty()) {
@@ -89,6 +90,7 @@ class Furnisher {
   const ImportOptions& m_options;
   std::size_t m_cut = 0;
   std::vector<View> m_views;
+  std::vector<bool> m_viewCut;  ///< words were left out of its name
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
+#include "model/anatomy/name_words.h"
 #include "render/export/students/answer_hash.h"
 #include "render/export/students/short_answers.h"
 
@@ -120,7 +121,7 @@ void addKind(Names& names, const std::vector<std::string>& whole, const KindWord
 AcceptedAnswers acceptedAnswers(const WordsByLanguage& words) {
   Names names;
   const auto addAll = [&names](const std::string& text) {
-    names.add(text);
+    names.add(std::string(model::withoutCounter(text)));
     if (anatomicalNames().knows(text))
       for (const std::string& other : anatomicalNames().searchWords(text))
         names.add(other);

@@ -57,8 +57,64 @@ class ShownNamesTest : public QObject {
         {"OpticNrv_R_PRV03", "OpticNrv_R_PRV03"},
         {"vermis 4 5", "vermis 4 5"},
         {"organs at risk", "organs at risk"},
-        // Three numbers are a date of birth.
+        // Three numbers are a date of birth, and margins where all are one.
         {"liver 3 2 61", "liver 3 2"},
+        {"Expanded_5_5_5_Bladder", "Expanded_5_5_5_Bladder"},
+        {"PTV_10_10_10", "PTV_10_10_10"},
+        {"liver 10 10 10", "liver 10 10"},
+        {"liver 05 05 05", "liver 05 05"},
+        // A number with a letter is a part's, a level's or a segment's.
+        {"liver segment 4a", "liver segment 4a"},
+        {"segment_8b", "segment_8b"},
+        {"segment_IVa", "segment_IVa"},
+        {"segment iva", "segment iva"},
+        {"Doe_VIIb_vermis", "VIIb vermis"},
+        {"Cerebellum_7b_L", "Cerebellum_7b_L"},
+        {"GTV_7b", "GTV_7b"},
+        {"C7b", "C7b"},
+        {"nerve C7b", "nerve C7b"},
+        {"Th12", "Th12"},
+        {"T12 vertebra", "T12 vertebra"},
+        {"L5", "L5"},
+        {"S1", "S1"},
+        {"Met_1", "Met_1"},
+        {"HCC_S7", "HCC_S7"},
+        {"Xia_liver", "liver"},
+        {"Iva liver", "liver"},
+        {"liver 1961b", "liver"},
+        {"P4711a liver", "liver"},
+        {"liver 12Mar61", "liver"},
+        // A counter of the program's own.
+        {"liver segment (no. 2)", "liver segment (no. 2)"},
+        // Sides as they are abbreviated, which elsewhere are persons' names.
+        {"Niere_li", "Niere_li"},
+        {"Niere re.", "Niere re."},
+        {"re Lunge", "re Lunge"},
+        {"Niere_Li", "Niere_Li"},
+        {"Niere_lks_2", "Niere_lks_2"},
+        {"kidney_li", "kidney_li"},
+        {"Nyre ve", "Nyre ve"},
+        {"nyre_hø", "nyre_hø"},
+        {"ren sin", "ren sin"},
+        {"femur_dx", "femur_dx"},
+        {"Doe_Niere_li", "Niere"},
+        {"Li_liver", "liver"},
+        {"liver_Li", "liver"},
+        {"Wei_Li_liver", "liver"},
+        {"Re", ""},
+        // Umlauts as they are written without.
+        {"Hueftbein_li", "Hueftbein_li"},
+        {"Huefte rechts", "Huefte rechts"},
+        {"Koerper", "Koerper"},
+        {"Milchdruese li", "Milchdruese li"},
+        // What cells are made of.
+        {"mitochondria", "mitochondria"},
+        {"chromosome 7", "chromosome 7"},
+        {"golgi", "golgi"},
+        {"soma", "soma"},
+        {"endoplasmic reticulum", "endoplasmic reticulum"},
+        {"Doe_lysosome_3", "lysosome 3"},
+        {"dendritic spines", "dendritic spines"},
         // What is left of a person's name besides numbers, sides and letters is nothing.
         {"Doe_Jane", ""},
         {"DOE JANE 12 L", ""},
@@ -76,6 +132,22 @@ class ShownNamesTest : public QObject {
     QCOMPARE(QString::fromStdString(shownName(QTest::currentDataTag())), shown);
     // What is shown may be shown.
     QCOMPARE(shownName(shown.toStdString()), shown.toStdString());
+  }
+
+  void cellsAreShown() {
+    for (const char* name :
+         {"mitochondrion",    "lysosome", "axon",      "synapse",    "cilium",
+          "endosome",         "vacuole",  "nucleolus", "cytoplasm",  "membrane",
+          "vesicle",          "dendrite", "ribosome",  "peroxisome", "cell membrane",
+          "nuclear envelope", "neurons",  "astrocyte", "centriole",  "cilia"})
+      QCOMPARE(shownName(name), std::string(name));
+  }
+
+  void whatIsLeftOut() {
+    QCOMPARE(wordsNotShown("Meier_Hans_liver"), (std::vector<std::string>{"Meier", "Hans"}));
+    QCOMPARE(wordsNotShown("Doe_1961"), (std::vector<std::string>{"Doe", "1961"}));
+    QCOMPARE(wordsNotShown("Niere_li"), std::vector<std::string>());
+    QCOMPARE(wordsNotShown("liver segment 4a"), std::vector<std::string>());
   }
 
   /// What anatomists call things is no person's name.

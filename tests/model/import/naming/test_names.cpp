@@ -18,6 +18,7 @@ class NamesTest : public QObject {
   void sides_data();
   void sides();
   void unique();
+  void toldApart();
 };
 
 void NamesTest::readable_data() {
@@ -118,6 +119,12 @@ void NamesTest::sides_data() {
   QTest::newRow("German adjective") << "rechte Niere" << int(Side::right) << "niere";
   QTest::newRow("Norwegian") << "høyre nyre" << int(Side::right) << "nyre";
   QTest::newRow("Latin") << "Ureter_sinister" << int(Side::left) << "ureter";
+  QTest::newRow("German, short") << "Niere_li" << int(Side::left) << "niere";
+  QTest::newRow("Dutch, short, before it") << "re. nier" << int(Side::right) << "nier";
+  QTest::newRow("Norwegian, short") << "nyre_hø" << int(Side::right) << "nyre";
+  QTest::newRow("Latin, short") << "ren sin." << int(Side::left) << "ren";
+  QTest::newRow("short, with a number") << "Niere_li_2" << int(Side::left) << "niere 2";
+  QTest::newRow("a person in the midst") << "Wei Li liver" << int(Side::none) << "wei li liver";
   QTest::newRow("level is no side") << "L5" << int(Side::none) << "l5";
   QTest::newRow("inside a word") << "cleft palate" << int(Side::none) << "cleft palate";
   QTest::newRow("the first counts")
@@ -137,6 +144,19 @@ void NamesTest::unique() {
   std::vector<std::string> names{"rib", "Rib", "rib 2", "aorta", "rib"};
   makeUnique(names);
   QCOMPARE(names, (std::vector<std::string>{"rib", "Rib 3", "rib 2", "aorta", "rib 4"}));
+}
+
+/// A number that tells names apart is not read as anatomy's, or as one that the file had.
+void NamesTest::toldApart() {
+  std::vector<std::string> names{"rib", "Rib", "rib 2", "tumour", "tumour", "kidney", "kidney"};
+  tellApart(names, {false, false, false, true, false, false, false});
+  QCOMPARE(names, (std::vector<std::string>{"rib", "Rib (no. 2)", "rib 2", "tumour",
+                                            "tumour (no. 2)", "kidney", "kidney 2"}));
+  names = {"liver segment", "liver segment", "liver segment (no. 2)"};
+  tellApart(names, {true, true, true});
+  QCOMPARE(names, (std::vector<std::string>{"liver segment", "liver segment (no. 3)",
+                                            "liver segment (no. 2)"}));
+  QCOMPARE(sidedName("left kidney (no. 2)").rest, std::string("kidney"));
 }
 
 SLINE_TEST(NamesTest)

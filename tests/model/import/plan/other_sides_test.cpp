@@ -32,7 +32,11 @@ const std::map<QString, glm::vec3>& body() {
                                                    {"right femur", {-90, 10, -200}},
                                                    {"descending colon", {85, 10, -60}},
                                                    {"appendix", {-80, 0, -110}},
-                                                   {"growth", {30, -10, -20}}};
+                                                   {"growth", {30, -10, -20}},
+                                                   {"left superiomedial segment", {-25, -30, 20}},
+                                                   {"left inferomedial segment", {-25, -32, 5}},
+                                                   {"left medial lobe", {-24, -31, 12}},
+                                                   {"left apical segment of lung", {-50, 0, 90}}};
   return places;
 }
 
@@ -63,6 +67,13 @@ void OtherSidesTest::theOtherSideIsTold_data() {
       kidneys, "\"left kidney\", \"right kidney\" lie on the other side than their names say");
   row("one of several without a pair", {"liver", "spleen", "right ureter", "left kidney"},
       {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
+  row("sides of the liver's parts are none of the body's",
+      {"liver", "spleen", "spine", "left kidney", "right kidney", "left superiomedial segment",
+       "left inferomedial segment", "left medial lobe"},
+      {}, "");
+  row("those of the lung's are",
+      {"liver", "spleen", "spine", "left kidney", "right kidney", "left apical segment of lung"},
+      {}, "\"left apical segment of lung\" lies on the other side than its name says");
   row("one beside the spine", {"left ureter", "right femur", "spine", "left kidney"},
       {"left kidney"}, "\"left kidney\" lies on the other side than its name says");
 }
