@@ -310,6 +310,17 @@ Scene restyled(const Scene& dressed, const DrawingStyle& style) {
   return after;
 }
 
+/// Notes of each structure whose colour the style has changed which one it had.
+void noteColours(const Scene& before, Scene& after) {
+  std::vector<Node> nodes = after.nodes();
+  for (Node& node : nodes) {
+    const Node* was = before.find(node.id);
+    if (was && node.style.colour && node.style.colour != was->style.colour)
+      node.drawn = DrawnColour{*node.style.colour, was->style.colour};
+  }
+  after.setNodes(std::move(nodes));
+}
+
 }  // namespace
 
 std::span<const DrawingStyle> drawingStyles() {
@@ -340,16 +351,35 @@ std::vector<NodeId> emphasisedIn(const Scene& scene) {
   return subjectsOf(scene).front().structures;
 }
 
+Scene withOwnColours(const Scene& scene) {
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    if (!node.drawn || scene.isLocked(node.id))
+      continue;
+    if (node.style.colour == node.drawn->given)
+      node.style.colour = node.drawn->had;
+    node.drawn.reset();
+  }
+  Scene own = scene;
+  own.setNodes(std::move(nodes));
+  return own;
+}
+
 Edited withDrawingStyle(const Scene& scene, const DrawingStyle& style, FormIndex& forms,
                         const OpeningWishes& wishes, const std::stop_token& stop) {
-  std::optional<Scene> drawn = scene;
+  const Scene own = withOwnColours(scene);
+  std::optional<Scene> drawn = own;
   if (!style.styleOf || hasNoLook(scene))
-    drawn = plateOf(scene, forms, wishes, stop);
+    drawn = plateOf(own, forms, wishes, stop);
   if (!drawn || visibleStructures(*drawn).empty())
     return {scene, false};
+  const Scene before = *drawn;
   if (style.styleOf)
-    drawn = restyled(*drawn, style);
-  return withLocksKept(scene, std::move(*drawn));
+    drawn = restyled(before, style);
+  Edited edited = withLocksKept(own, std::move(*drawn));
+  noteColours(before, edited.scene);
+  edited.changed = !(edited.scene == scene);
+  return edited;
 }
 
 }  // namespace sline::model

@@ -44,9 +44,14 @@ const DrawingStyle* drawingStyleNamed(std::string_view id);
 /// detail, else what `subjectsOf` finds first. In tree order; empty where nothing is visible.
 std::vector<NodeId> emphasisedIn(const Scene& scene);
 
+/// Returns the scene with the colours that drawing styles have taken (Node::drawn): where an
+/// unlocked structure still has the colour of a style it gets the one that it had before.
+Scene withOwnColours(const Scene& scene);
+
 /// Draws the scene that way. A scene without a look is first given the opening look, with its
 /// subject; the plate is the opening look for the subject that the scene has. Every field of a look
-/// is set, except that only styles of few colours change colours. Hidden structures stay hidden,
+/// is set, except that only styles of few colours change colours, and that each starts from the
+/// structures' own (`withOwnColours`). Hidden structures stay hidden,
 /// locked ones as they are. Unchanged where nothing is visible or stop was requested.
 Edited withDrawingStyle(const Scene& scene, const DrawingStyle& style, FormIndex& forms,
                         const OpeningWishes& wishes = {}, const std::stop_token& stop = {});

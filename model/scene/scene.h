@@ -84,6 +84,14 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
+/// The colour that a drawing style gave a structure, and what the structure said of its colour
+/// before: as long as it has the one, it can have the other back.
+struct DrawnColour {
+  Colour given;
+  std::optional<Colour> had;  ///< absent: that of the group above
+  bool operator==(const DrawnColour&) const = default;
+};
+
 /// A node is a group (no mesh) or a structure (a mesh).
 struct Node {
   NodeId id;
@@ -94,7 +102,8 @@ struct Node {
   MeshPtr mesh;         ///< null for a group
   PaintPtr paint;       ///< one value for each vertex of the mesh; null: nothing was painted
   Provenance provenance;
-  KeptAtoms atoms;     ///< of a molecule's chain
+  KeptAtoms atoms;  ///< of a molecule's chain
+  std::optional<DrawnColour> drawn;
   std::string unread;  ///< further keys of its scene file, as a JSON object; kept for saving
 
   bool isGroup() const { return !mesh; }

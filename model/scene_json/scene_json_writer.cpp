@@ -103,6 +103,11 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
     json["paint"] = {{"file", paintName(node.id)}};
   if (node.style != Style())
     json["style"] = styleJson(node.style);
+  if (node.drawn) {
+    json["drawn_colour"] = {{"given", colourText(node.drawn->given)}};
+    if (node.drawn->had)
+      json["drawn_colour"]["had"] = colourText(*node.drawn->had);
+  }
   if (node.locked)
     json["locked"] = true;
   if (node.provenance != Provenance())

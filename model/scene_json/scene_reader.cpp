@@ -127,6 +127,17 @@ void SceneJsonReader::look(JsonObject& object, Node& node) const {
     node.style = styleFrom(inner, m_newer);
     object.giveBack("style", inner.rest());
   }
+  if (const auto drawn = object.take("drawn_colour")) {
+    JsonObject inner(*drawn);
+    const auto asColour = [](const JsonValue& value) { return value.colour(); };
+    std::optional<Colour> given;
+    std::optional<Colour> had;
+    readInto(inner.need("given"), given, asColour);
+    readInto(inner.take("had"), had, asColour);
+    if (given)
+      node.drawn = DrawnColour{*given, had};
+    object.giveBack("drawn_colour", inner.rest());
+  }
 }
 
 Node SceneJsonReader::node(const JsonValue& value) const {

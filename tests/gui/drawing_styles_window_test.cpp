@@ -6,6 +6,7 @@
 
 #include "model/edit/look.h"
 #include "model/look/drawing_styles.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/gamma/drawing_panel.h"
@@ -160,6 +161,26 @@ class DrawingStylesWindowTest : public QObject {
     f.control<QAction>("plate").trigger();
     QTRY_COMPARE_WITH_TIMEOUT(f.session.history().count(), 2, minute);
     QCOMPARE(colour(), bladder);
+  }
+  void coloursComeBackFromAFile() {
+    DrawingFixture f;
+    f.unfoldDrawings();
+    const Colour bladder = f.session.scene().resolve(f.named("bladder")).colour;
+    QVERIFY(f.choose("woodcut"));
+    const QTemporaryDir folder;
+    const QString saved = folder.filePath("woodcut.sline");
+    QVERIFY(model::writeSceneFile(saved.toStdString(), {f.session.scene(), {}, {}, 0}).ok());
+    f.window.close();
+    WindowFixture g;
+    QVERIFY(g.drop(saved) && g.settled());
+    const auto colour = [&g] {
+      return g.session.scene().resolve(g.session.scene().named("bladder").front()).colour;
+    };
+    QVERIFY(colour() == Colour({255, 255, 255}));
+    g.control<QAction>("plate").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(colour(), bladder, minute);
+    g.session.undo();
+    QVERIFY(colour() == Colour({255, 255, 255}));
   }
   void byKeys() {
     DrawingFixture f;

@@ -109,7 +109,7 @@ void FocusContext::askForLook(const LookQuestion& asked) {
 }
 
 model::Scene FocusContext::undrawn() const {
-  return m_colours.givenBack(m_session.document().opening, m_session.sceneBeforePreview());
+  return model::withOwnColours(m_session.sceneBeforePreview());
 }
 
 void FocusContext::offerSubjects(float aspect, std::size_t count) {
@@ -166,8 +166,6 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
   {
     const QScopedValueRollback applying(m_applying, true);
     model::Edited edited{look->scene, !(look->scene == asked)};
-    if (opening)
-      m_colours.note(m_session.document().opening, asked, look->scene);
     if (opening)
       m_session.completeOpening(tr("Opening look"), std::move(edited));
     else

@@ -11,7 +11,6 @@
 
 #include "model/focus/context.h"
 #include "model/look/drawing_styles.h"
-#include "widgets/gamma/drawn_colours.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -39,8 +38,6 @@ class FocusContext : public QObject {
   const FocusState& state() const { return m_state; }
   /// Tells whether an analysis is running.
   bool busy() const { return m_awaited != 0; }
-  /// Returns the colours that drawing styles have taken.
-  DrawnColours& colours() { return m_colours; }
 
   /// Analyses the surroundings of the structures in the background, then draws the structures in
   /// detail and everything else by its relation to them, as one step.
@@ -122,7 +119,6 @@ class FocusContext : public QObject {
 
   Session& m_session;
   CameraOf m_camera;
-  DrawnColours m_colours;
   FocusState m_state;
   std::vector<Record> m_records;  ///< for undo, redo and views
   model::ContextAmount m_beforeDrag;

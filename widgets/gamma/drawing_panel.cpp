@@ -134,9 +134,8 @@ void DrawingPanel::hideEvent(QHideEvent* event) {
   emit picturesWanted(false);
 }
 
-void offerDrawings(Session& session, Viewport& viewport, DrawnColours& colours,
-                   DrawingPanel& panel) {
-  auto* pictures = new DrawingPictures(session, viewport, colours, &panel);
+void offerDrawings(Session& session, Viewport& viewport, DrawingPanel& panel) {
+  auto* pictures = new DrawingPictures(session, viewport, &panel);
   QObject::connect(&panel, &DrawingPanel::picturesWanted, pictures, &DrawingPictures::want);
   QObject::connect(pictures, &DrawingPictures::made, &panel, &DrawingPanel::showPicture);
   QObject::connect(&panel, &DrawingPanel::chosen, pictures, [pictures](int style) {

@@ -14,7 +14,6 @@ class QToolButton;
 
 namespace sline::widgets {
 
-class DrawnColours;
 class Viewport;
 
 /// Holds what the user reads of a style.
@@ -62,9 +61,7 @@ class DrawingPanel : public QWidget {
   std::vector<bool> m_pictured;
 };
 
-/// Has the picture's renderer draw the panel's pictures, and choices carried out, from now on; the
-/// colours must outlive the panel.
-void offerDrawings(Session& session, Viewport& viewport, DrawnColours& colours,
-                   DrawingPanel& panel);
+/// Has the picture's renderer draw the panel's pictures, and choices carried out, from now on.
+void offerDrawings(Session& session, Viewport& viewport, DrawingPanel& panel);
 
 }  // namespace sline::widgets

@@ -33,9 +33,8 @@ model::Scene withoutWords(model::Scene scene) {
 
 }  // namespace
 
-DrawingPictures::DrawingPictures(Session& session, Viewport& viewport, DrawnColours& colours,
-                                 QObject* parent)
-    : QObject(parent), m_session(session), m_viewport(viewport), m_colours(colours) {
+DrawingPictures::DrawingPictures(Session& session, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_session(session), m_viewport(viewport) {
   m_pool.setMaxThreadCount(1);
   m_rest.setSingleShot(true);
   m_rest.setInterval(drawingsRestAfter);
@@ -57,8 +56,7 @@ void DrawingPictures::want(bool wanted) {
 
 model::Scene DrawingPictures::base() const {
   const model::Scene& now = m_session.sceneBeforePreview();
-  return m_before && now == m_after ? *m_before
-                                    : m_colours.givenBack(m_session.document().opening, now);
+  return m_before && now == m_after ? *m_before : model::withOwnColours(now);
 }
 
 DrawingPictures::Key DrawingPictures::keyNow() const {
@@ -171,7 +169,6 @@ void DrawingPictures::takeChoice(const Choice& choice, const model::Scene& scene
     return;
   m_before = base();
   m_after = scene;
-  m_colours.note(m_session.document().opening, *m_before, scene);
   m_session.apply(choice.step, {scene, !(scene == choice.asked)});
   emit drawn(*choice.style);
 }

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "model/look/drawing_styles.h"
-#include "widgets/gamma/drawn_colours.h"
 #include "widgets/session/session.h"
 #include "widgets/viewport/viewport.h"
 
@@ -23,8 +22,7 @@ namespace sline::widgets {
 class DrawingPictures : public QObject {
   Q_OBJECT
  public:
-  DrawingPictures(Session& session, Viewport& viewport, DrawnColours& colours,
-                  QObject* parent = nullptr);
+  DrawingPictures(Session& session, Viewport& viewport, QObject* parent = nullptr);
   ~DrawingPictures() override;
 
   /// Asks for pictures from now on, of the viewport's shape, or for none.
@@ -69,7 +67,6 @@ class DrawingPictures : public QObject {
 
   Session& m_session;
   Viewport& m_viewport;
-  DrawnColours& m_colours;
   bool m_wanted = false;
   QTimer m_rest;
   std::optional<Key> m_asked;

@@ -43,7 +43,7 @@ QWidget* makeGamma(const PanelContext& context) {
       brush.trigger();
   });
   drawStages(context.session, context.viewport, panel->stages());
-  offerDrawings(context.session, context.viewport, context.focus.colours(), panel->drawings());
+  offerDrawings(context.session, context.viewport, panel->drawings());
   auto* grounds = new DrawingGrounds(context.session, context.preferences, panel);
   QObject::connect(&panel->drawings(), &DrawingPanel::backgroundWanted, grounds,
                    &DrawingGrounds::take);

@@ -53,6 +53,7 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
   kept.unitEvidence = node.provenance.unitEvidence;
   node.provenance = kept;
   node.atoms = {};
+  node.drawn.reset();
   node.unread.clear();
   return node;
 }

@@ -167,7 +167,7 @@ class DrawingStylesTest : public QObject {
     QVERIFY(!drawn(first.scene, name).changed);
     QCOMPARE(emphasisedIn(first.scene), opened.named("liver"));
   }
-  /// A style leaves nothing of the one before, except colours.
+  /// A style leaves nothing of the one before.
   void oneAfterAnother_data() { eachStyle(); }
   void oneAfterAnother() {
     QFETCH(QString, id);
@@ -178,6 +178,28 @@ class DrawingStylesTest : public QObject {
         drawn(opened, id.toStdString()).scene.find(opened.named("liver").front())->style;
     const Scene detour = drawn(drawn(opened, "even-pen").scene, id.toStdString()).scene;
     QVERIFY(detour.find(opened.named("liver").front())->style == straight);
+  }
+  /// What a style of few colours takes away the next one has, in whatever program: the scene knows
+  /// it. What was coloured by hand since keeps that.
+  void coloursComeBack_data() { eachStyle(); }
+  void coloursComeBack() {
+    QFETCH(QString, id);
+    const std::string name = id.toStdString();
+    const Scene opened = drawn(body(), "plate").scene;
+    const Scene white = drawn(opened, "woodcut").scene;
+    QCOMPARE(styleOf(white, "liver").colour, (Colour{255, 255, 255}));
+    QVERIFY(drawn(white, name).scene == drawn(opened, name).scene);
+    QVERIFY(withOwnColours(withOwnColours(white)) == withOwnColours(white));
+    QCOMPARE(styleOf(withOwnColours(white), "liver").colour, reddish);
+    const Colour own{12, 200, 34};
+    const Scene byHand = withLook(white, white.named("liver"), {.colour = own}).scene;
+    QCOMPARE(styleOf(withOwnColours(byHand), "liver").colour, own);
+    // A locked one stays as it is, and has its colour back once it is free.
+    const Scene locked = withLocked(white, white.named("liver"), true).scene;
+    const Scene after = drawn(locked, "plate").scene;
+    QCOMPARE(styleOf(after, "liver").colour, (Colour{255, 255, 255}));
+    const Scene freed = withLocked(after, after.named("liver"), false).scene;
+    QCOMPARE(styleOf(withOwnColours(freed), "liver").colour, reddish);
   }
   void locksAndHidden_data() { eachStyle(); }
   void locksAndHidden() {

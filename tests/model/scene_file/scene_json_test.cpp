@@ -20,6 +20,7 @@ class SceneJsonTest : public QObject {
   Q_OBJECT
  private slots:
   void roundTrip();
+  void drawnColours();
   void sectionsWithoutFacesAreTinted();
   void keysStandInTheOrderDescribed();
   void unknownKeysAreKeptEverywhere();
@@ -40,6 +41,28 @@ void SceneJsonTest::roundTrip() {
   QCOMPARE(sceneJson(*again), text);
   const auto empty = sceneFromJson(jsonOf({}), {});
   QVERIFY(empty.ok() && empty->nodes().empty());
+}
+
+/// What a drawing style has taken is there when the scene is opened again.
+void SceneJsonTest::drawnColours() {
+  Scene scene = test::sampleScene();
+  std::vector<Node> nodes = scene.nodes();
+  nodes[2].drawn = DrawnColour{.given = {255, 255, 255}, .had = Colour{1, 2, 3}};
+  nodes[3].drawn = DrawnColour{.given = {10, 0, 200}, .had = {}};
+  scene.setNodes(nodes);
+  auto json = jsonOf(scene);
+  QVERIFY(json["nodes"][2]["drawn_colour"] == Json({{"given", "#ffffff"}, {"had", "#010203"}}));
+  QVERIFY(json["nodes"][3]["drawn_colour"] == Json({{"given", "#0a00c8"}}));
+  json["nodes"][2]["drawn_colour"]["more"] = 1;
+  const auto read = sceneFromJson(json, partsByName(scene));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QVERIFY(read->nodes()[2].drawn == nodes[2].drawn && read->nodes()[3].drawn == nodes[3].drawn);
+  QVERIFY(jsonOf(*read) == json);
+  for (const char* fault : {"{}", "{\"given\": \"white\"}", "7"}) {
+    json["nodes"][2]["drawn_colour"] = Json::parse(fault);
+    const auto faulty = sceneFromJson(json, partsByName(scene));
+    QVERIFY2(!faulty.ok() || !faulty->nodes()[2].drawn, fault);
+  }
 }
 
 /// Files from before there were patterns look as they did.
