@@ -49,7 +49,7 @@ Status countPlates(render::Picture& picture, const model::Scene& scene, const Pl
     auto& [count, sum] = sums[product->kind];
     ++count;
     sum.add(*proof);
-    if (course.folder.empty() || proof->clean())
+    if (course.folder.empty() || proof->clean(product->near))
       continue;
     for (const bool ink : {false, true})
       for (std::size_t i = 0; i < product->colour.size(); ++i)

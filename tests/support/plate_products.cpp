@@ -126,6 +126,7 @@ class Making {
                     .name = std::string(m_kind) + ", " + m_side.name + (m_near ? ", near" : "") +
                             (m_cut ? ", section" : ""),
                     .height = std::clamp(m_size.height, 600, 1200),
+                    .near = m_near,
                     .colour = {},
                     .ink = {}};
     for (const bool ink : {false, true}) {

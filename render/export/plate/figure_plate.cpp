@@ -64,6 +64,11 @@ SeenArea drawnIn(const ExportOrder& order, model::MeshTrees& trees) {
   return SeenMap(scene, Screen(order.camera, order.page.sizeMm), &trees).drawnArea();
 }
 
+/// Tells whether more labels find no room than do.
+bool mostAreOut(const LabelPlate& plate) {
+  return plate.layout.leftOut.size() > plate.layout.labels.size();
+}
+
 /// Returns the marks, which keep off what the picture shows.
 Marks marksBeside(const ExportOrder& order, Marks usual, const SeenArea& drawn) {
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
@@ -94,6 +99,13 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   LabelTurn beside = turn;
   beside.drawn = drawn ? &*drawn : nullptr;
   plate.labels = labelPlate(order.scene, screen, style, trees, beside);
+  if (beside.drawn && mostAreOut(*plate.labels)) {
+    // Where anatomy fills the picture there is no ground beside it: rather than not at all labels
+    // stand on it, with their halos.
+    LabelPlate over = labelPlate(order.scene, screen, style, trees, turn);
+    if (!mostAreOut(over))
+      plate.labels = std::move(over);
+  }
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);
