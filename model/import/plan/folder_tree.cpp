@@ -365,19 +365,43 @@ class Builder {
   }
 
   /// Returns the structure's colour. The table takes precedence; a colour in the file counts where
-  /// the name is unknown and the colour was chosen by a person rather than a program's grey.
+  /// the name is unknown, or several of its file would look alike (`tellsApart`), and the colour
+  /// was chosen by a person rather than a program's grey.
   std::optional<Colour> colourOf(std::size_t index) const {
     const Part& part = m_parts[index];
     if (part.raw.molecule)
       return part.raw.colour;
-    if (const auto match = m_table.match(m_names[index]))
+    const auto match = m_table.match(m_names[index]);
+    if (match && !(isColourful(part) && tellsApart(index, *match)))
       return match->colour;
+    return isColourful(part) ? part.raw.colour : std::nullopt;
+  }
+
+  static bool isColourful(const Part& part) {
     if (!part.raw.colour)
-      return std::nullopt;
+      return false;
     const Colour c = *part.raw.colour;
-    const int high = std::max({c.red, c.green, c.blue});
-    const int low = std::min({c.red, c.green, c.blue});
-    return high - low > 24 ? std::optional(c) : std::nullopt;
+    return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}) > 24;
+  }
+
+  /// Tells whether the file's colour tells the structure from another one of its file that has the
+  /// same in the table: parcels of the brain and volumes of a plan of treatment, for which anatomy
+  /// has no colours of their own.
+  bool tellsApart(std::size_t index, const AnatomyMatch& match) const {
+    const std::string& system = m_table.systems()[match.system].id;
+    if (system != "brain" && system != "lesion")
+      return false;
+    const Part& part = m_parts[index];
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+      const Part& other = m_parts[i];
+      if (i == index || other.file != part.file || !isColourful(other) ||
+          other.raw.colour == part.raw.colour)
+        continue;
+      const auto same = m_table.match(m_names[i]);
+      if (same && same->colour == match.colour)
+        return true;
+    }
+    return false;
   }
 
   const std::vector<Part>& m_parts;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/anatomy/body_systems.h"
+#include "model/anatomy/shown_names.h"
 #include "model/edit/sides.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
@@ -59,23 +60,44 @@ Scene withSurroundings(const Imported& imported, const ImportOptions& options) {
   return whole;
 }
 
-/// Says what the files hold twice, by themselves or with what was there before.
-void warnOfTwins(const Scene& whole, Imported& imported, const ReadInputs& read,
-                 const ImportOptions& options) {
+Error cancelled() {
+  return {.reason = "the import was cancelled"};
+}
+
+}  // namespace
+
+void warnOfTwins(const Scene& whole, const ReadInputs& read, const ImportOptions& options,
+                 ImportReport& report) {
   const std::vector<Twins> twins = twinsOf(whole);
   std::size_t known = read.scenes ? twinsOf(read.scenes->scene).size() : 0;
   known += options.into ? twinsOf(*options.into).size() : 0;
   const std::string text = twinsText(whole, twins);
   if (twins.size() > known && !read.inputs.empty())
-    imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
+    report.warnings.push_back({read.inputs.front().filename().string(), text});
 }
 
-/// Says how many names are not whole.
-void tellCutNames(std::size_t count, std::vector<std::string>& notes) {
-  if (count > 0)
-    notes.push_back(
-        "words that are no anatomy, but may be a person's name, were left out of names: " +
-        std::to_string(count));
+namespace {
+
+/// Says how many names are not whole, and which words they lack. They are for who gives the files;
+/// neither the scene nor what is made of it has them.
+void tellCutNames(std::size_t count, const std::vector<Part>& parts,
+                  std::vector<std::string>& notes) {
+  constexpr std::size_t mostTold = 5;
+  if (count == 0)
+    return;
+  std::vector<std::string> words;
+  for (const Part& part : parts)
+    for (std::string& word : part.nameCut ? wordsNotShown(part.given) : std::vector<std::string>())
+      if (std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(std::move(word));
+  std::string text =
+      "words that are no anatomy, but may be a person's name, were left out of names: " +
+      std::to_string(count);
+  for (std::size_t i = 0; i < std::min(words.size(), mostTold); ++i)
+    text += (i == 0 ? " (\"" : ", \"") + words[i] + '"';
+  if (!words.empty())
+    text += words.size() > mostTold ? ", …)" : ")";
+  notes.push_back(std::move(text));
 }
 
 /// Says which structures are too small or too large for a body, of scene files too.
@@ -175,10 +197,6 @@ Status bringWithinLimits(Imported& imported) {
   return counts;
 }
 
-Error cancelled() {
-  return {.reason = "the import was cancelled"};
-}
-
 }  // namespace
 
 DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
@@ -207,7 +225,7 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
   FurnishedScene furnished = withViewsAndAnnotations(std::move(built), read.sources, options);
   Imported imported{.scene = std::move(furnished.scene), .report = decided.report};
   const std::size_t namesCut = cut + furnished.namesCut;
-  tellCutNames(namesCut, imported.report.notes);
+  tellCutNames(namesCut, decided.parts, imported.report.notes);
   imported.scene.setTraces(read.traces);
   const NewIds ids = putScenesBefore(imported, read, options);
   ImportPlan plan{.inputs = read.inputs,
@@ -244,6 +262,8 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   smoothParts(parts, read.sources, options.smoothing, meter);
   if (meter.cancelled())
     return cancelled();
+  std::vector<std::string> cutNames;
+  tellCutNames(plan.namesCut, parts, cutNames);
   const bool wanted = std::any_of(parts.begin(), parts.end(),
                                   [](const Part& part) { return !part.choice.skipped; });
   std::erase_if(parts, [](const Part& part) { return part.choice.skipped; });
@@ -255,11 +275,11 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
     if (const Status left = checkAnythingLeft(decided, read); !left.ok())
       return left.error();
   Imported imported{.report = std::move(report)};
-  tellCutNames(plan.namesCut, imported.report.notes);
+  imported.report.notes.insert(imported.report.notes.end(), cutNames.begin(), cutNames.end());
   putScenesBefore(imported, read, options);
   imported.scene = withSurfaces(plan, std::move(parts));
   const Scene whole = withSurroundings(imported, options);
-  warnOfTwins(whole, imported, read, options);
+  warnOfTwins(whole, read, options, imported.report);
   warnOfSizes(imported);
   warnOfBodies(whole, imported.report);
   imported.scene.setScans(std::move(scans));

@@ -33,6 +33,11 @@ Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read);
 /// (other_sides.h), molecules beside anatomy (implausible_sizes.h).
 void warnOfBodies(const Scene& scene, ImportReport& report);
 
+/// Says what the files hold twice, by themselves or with what was there before: two versions, or
+/// two bodies.
+void warnOfTwins(const Scene& whole, const ReadInputs& read, const ImportOptions& options,
+                 ImportReport& report);
+
 /// Smooths, places and decimates the parts, and puts them into the plan's tree as chosen. Groups
 /// that no longer hold anything are left out. The error is that of importInputs.
 Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/import/plan/named_bodies.h"
 #include "model/scene_file/scene_file.h"
 
 namespace sline::model {
@@ -56,6 +57,20 @@ PatientSorter sorterOf(const std::vector<FoundMarks>& found, const Scene* into,
   for (const FoundMarks& each : found)
     sorter.add(each.file, each.marks);
   return sorter;
+}
+
+/// Returns whose the files are, by what they say or, where they say nothing, by their names.
+Patients patientsOf(const Sources& sources, const std::vector<FoundMarks>& found, const Scene* into,
+                    const std::vector<TracedScene>& scenes) {
+  Patients patients = sorterOf(found, into, scenes).patients();
+  if (patients.several())
+    return patients;
+  std::set<fs::path> marked;
+  for (const FoundMarks& each : found)
+    if (!each.marks.empty())
+      marked.insert(each.file);
+  patients.apart = bodiesByName(sources, marked);
+  return patients;
 }
 
 /// Leaves out the files, and scenes that are called so.
@@ -243,7 +258,7 @@ Result<std::vector<SourceTrace>> admitPatients(Sources& sources,
                                                const std::vector<TracedScene>& scenes,
                                                const ImportOptions& options) {
   std::vector<FoundMarks> found = marksIn(sources, options.limits);
-  const Patients patients = sorterOf(found, options.into.get(), scenes).patients();
+  const Patients patients = patientsOf(sources, found, options.into.get(), scenes);
   if (patients.several() && options.patients == PatientsWanted::one)
     return patients.error();
   if (patients.several() && options.patients == PatientsWanted::first) {
@@ -289,7 +304,7 @@ Patients patientsAmong(std::span<const fs::path> inputs, const ReadLimits& limit
   if (lone)
     return {};
   const Sources sources = collectSources(meshes, limits, slices);
-  return sorterOf(marksIn(sources, limits), into, scenes).patients();
+  return patientsOf(sources, marksIn(sources, limits), into, scenes);
 }
 
 }  // namespace sline::model

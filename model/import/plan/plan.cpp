@@ -53,6 +53,8 @@ Result<ImportPlan> makePlan(std::shared_ptr<const ReadInputs> read, const Import
       decided.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
                                      "structure: " + scanText(*scan.raw.volume));
   ImportPlan plan = layOutTree(decided, *read, options);
+  if (!options.into)
+    warnOfTwins(plan.scene, *read, options, plan.report);
   warnOfBodies(plan.scene, plan.report);
   plan.read = std::move(read);
   return plan;

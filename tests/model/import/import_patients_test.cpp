@@ -194,6 +194,16 @@ void ImportPatientsTest::apart_data() {
       "one");
   row("anatomy called so", {{"sub-lingual_gland.stl", stl()}, {"sub-mental_vein.stl", stl()}},
       "one");
+  // Nothing but names tells whose they are.
+  row("persons before one organ",
+      {{"Meier_Hans_liver.stl", stl()}, {"Schulz_Eva_liver.stl", stl()}}, "perhaps apart");
+  row("persons before other organs",
+      {{"Meier_Hans_liver.stl", stl()}, {"Schulz_Eva_spleen.stl", stl()}}, "one");
+  row("folders of persons",
+      {{"Meier_Hans/left_hip_bone.stl", stl()}, {"Schulz_Eva/left_hip_bone.stl", stl()}},
+      "perhaps apart");
+  row("versions of one organ", {{"liver_nnunet.stl", stl()}, {"liver_manual.stl", stl()}}, "one");
+  row("one person", {{"Meier_liver.stl", stl()}, {"Meier_spleen.stl", stl()}}, "one");
   row("subjects of BIDS, as surfaces", {{"sub-01_liver.stl", stl()}, {"sub-02_liver.stl", stl()}},
       "apart");
 }

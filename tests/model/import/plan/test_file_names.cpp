@@ -111,9 +111,10 @@ class FileNamesTest : public QObject {
     QVERIFY(imported.ok());
     QCOMPARE(foundIn(sceneJson(imported->scene)), QStringList());
     QCOMPARE(named(imported->scene, "left kidney").provenance.part, std::string("left kidney"));
-    // How many names are shorter is told once, in a line without any of them.
+    // How many names are shorter is told once, with the words that they lack.
     QCOMPARE(imported->report.notes.size(), std::size_t(1));
-    QVERIFY2(imported->report.notes[0].ends_with("left out of names: 2"),
+    QVERIFY2(imported->report.notes[0].ends_with(
+                 "left out of names: 2 (\"Qzxdoe\", \"Qzxjane\", \"4711\")"),
              imported->report.notes[0].c_str());
     writeText(file, solids("80"));
     const Reloaded reloaded = reload(imported->scene, inputs);
