@@ -9,6 +9,7 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/typed_options.h"
+#include "model/edit/settled_units.h"
 #include "model/figure/figure_file.h"
 #include "model/figure/figure_keys.h"
 #include "model/look/opening_look.h"
@@ -56,6 +57,11 @@ Result<ReadScenes> readScenes(const model::Figure& figure, const std::string& fi
     Result<model::SceneDocument> document = openedScene(path->string());
     if (!document.ok())
       return document.error();
+    if (model::hasDoubtedUnits(document->scene))
+      warn(
+          file + ": " + name +
+          ": nobody has said how long the unit of its files is; lengths stand with a \"?\", and so "
+          "do scale bars that hold for it, too");
     read.scenes.emplace(name,
                         std::make_shared<const model::Scene>(model::dressed(document->scene)));
     read.files.push_back(path->string());

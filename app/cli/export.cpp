@@ -23,6 +23,7 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_options.h"
+#include "render/export/plate/source_credits.h"
 #include "render/export/slides/slide_options.h"
 #include "render/export/slides/slide_page.h"
 
@@ -281,6 +282,9 @@ Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& ta
       progress.wipe();
       if (!written.ok())
         return complain(written.error(), Exit::failed);
+      if (!render::namesSources(format))
+        for (const render::ExportNote& note : render::creditNotes(piece.order))
+          render::addNote(notes, note);
       for (const render::ExportNote& note : notes)
         tellWarning(piece.target.string() + ": " + textOf(note));
     }

@@ -128,6 +128,37 @@ class ExportCreditTest : public QObject {
         QCOMPARE(markersIn(contents(file), words), words.mid(0, 1));
   }
 
+  /// Who has surfaces under terms that ask for their credit is told where a file has none.
+  void whoseWorkIsNotSaidIsTold_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QStringList>("flags");
+    QTest::addColumn<bool>("told");
+    for (const char* kind : {"svg", "pdf", "pptx", "moodle", "qti", "h5p", "anki"})
+      QTest::newRow(kind) << kind << QStringList() << true;
+    for (const char* kind : {"page", "scorm12", "glb"})
+      QTest::newRow(kind) << kind << QStringList() << false;
+    QTest::newRow("said") << "svg" << QStringList{"--credits", "line"} << false;
+    QTest::newRow("not wanted") << "svg" << QStringList{"--credits", "off"} << false;
+  }
+  void whoseWorkIsNotSaidIsTold() {
+    QFETCH(QString, kind);
+    QFETCH(QStringList, flags);
+    QFETCH(bool, told);
+    const QString scene = m_folder.filePath("credited.sline");
+    QFile::remove(scene);
+    QVERIFY(QFile::copy(m_scene, scene));
+    const auto licensed = [&scene](const char* licence) {
+      return runSline({"credit", scene, "--source", "Atlas of Balls", "--licence", licence});
+    };
+    QVERIFY2(licensed("CC BY-SA 4.0").code == 0, licensed("CC BY-SA 4.0").err.constData());
+    const QStringList order =
+        QStringList{"export", scene, "--" + kind, m_folder.filePath("credited." + kind)} + flags;
+    const QByteArray err = runSline(order).err;
+    QCOMPARE(err.contains("Atlas of Balls, CC BY-SA 4.0") && err.contains("--credits line"), told);
+    QCOMPARE(licensed("CC0 1.0").code, 0);
+    QVERIFY(!runSline(order).err.contains("Atlas of Balls"));
+  }
+
   void othersReadIt_data() {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("name");

@@ -425,6 +425,10 @@ void ExportTest::subtitles() {
   const QByteArray beside = contents(m_folder.filePath("said.vtt"));
   QCOMPARE(beside, QByteArray("WEBVTT\n\n00:00:00.000 --> 00:00:00.500\nFrom the front\n"));
   QCOMPARE(contents(m_folder.filePath("said frames/subtitles.vtt")), beside);
+  const Finished silent = runSline({"export", scene, "--motion", "turntable", "--seconds", "1",
+                                    "--fps", "2", "--film-size", "160x90", "--webp",
+                                    m_folder.filePath("silent.webp"), "--subtitles"});
+  QVERIFY2(silent.code != 0 || silent.err.contains("subtitles are empty"), silent.err.constData());
 }
 
 void ExportTest::surfacesAndCards() {

@@ -8,6 +8,7 @@
 #include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/plate/source_credits.h"
 #include "render/export/slides/slide_page.h"
 #include "render/export/students/students_options.h"
 
@@ -215,6 +216,9 @@ QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order
   render::ExportNotes notes = page;
   for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
     render::addNote(notes, note);
+  if (!render::namesSources(*formatOf(draft.kind)))
+    for (const render::ExportNote& note : render::creditNotes(order))
+      render::addNote(notes, note);
   QStringList remarks = noteTexts(notes);
   const bool sheet =
       isSheet(draft) && draft.order.of<render::SheetOptions>().kind != render::SheetKind::patient;

@@ -97,6 +97,10 @@ QString fact(const render::ExportNote& note) {
       return tr("The page has %1 million triangles, too many for telephones.");
     case Kind::pageSimplified:
       return tr("Surfaces are simplified and off by %1 mm at most, which the page says.");
+    case Kind::creditsLeftOut:
+      return tr("The file does not say whose work its surfaces are, as their terms ask: %1.");
+    case Kind::subtitlesEmpty:
+      return tr("The subtitles are empty, as no view says anything.");
     case Kind::quizEmpty:
       return tr("The quiz asks nothing, as no label is to be asked for.");
   }
@@ -140,6 +144,10 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Take PNG or TIFF for more.");
     case Kind::pageLarge:
       return tr("Let surfaces be off by 0.2 mm, or export less.");
+    case Kind::creditsLeftOut:
+      return tr("Let it say them in a line, or say them where it is published.");
+    case Kind::subtitlesEmpty:
+      return tr("Write what views say.");
     case Kind::quizEmpty:
       return tr("Label structures, or choose no quiz.");
     case Kind::filmRounded:

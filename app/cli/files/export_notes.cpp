@@ -69,6 +69,15 @@ std::string askedText(const render::ExportNote& note) {
          " no card" + names + "Take a larger page (--size-mm) or smaller letters (--label-size)";
 }
 
+/// Returns the text of a note on what a file lacks besides its picture.
+std::string besidesText(const render::ExportNote& note) {
+  if (note.kind == render::ExportNote::Kind::subtitlesEmpty)
+    return "the subtitles are empty, as no view in the film says anything. Write what views say "
+           "with `sline view --text`";
+  return "the file does not say whose work its surfaces are, as their terms ask: " +
+         listed(note.names) + ". Give --credits line, or say it where the file is published";
+}
+
 /// Returns the text of a note on marks that have no room in the picture.
 std::string marksText(const render::ExportNote& note) {
   if (note.kind == render::ExportNote::Kind::footCutOff)
@@ -121,6 +130,9 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::labelsNotAsked:
     case Kind::cardsWithoutRoom:
       return askedText(note);
+    case Kind::creditsLeftOut:
+    case Kind::subtitlesEmpty:
+      return besidesText(note);
     case Kind::marksWithoutRoom:
     case Kind::footCutOff:
       return marksText(note);

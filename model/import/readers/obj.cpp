@@ -22,6 +22,9 @@ class ObjParser {
   explicit ObjParser(const Source& source) : m_source(source), m_at(source.text()) {}
 
   Result<RawMeshes> parse() {
+    if (isOfMni())
+      return m_source.whole("is a surface of the MNI's programs (.obj), not a Wavefront OBJ",
+                            "Convert it to PLY, VTK or a Wavefront OBJ");
     if (m_source.text().starts_with("\xef\xbb\xbf"))
       m_at.moveTo(m_source.begin() + 3);
     m_groups.push_back({});
@@ -34,6 +37,21 @@ class ObjParser {
   }
 
  private:
+  /// Tells whether the file begins as the MNI's do: P for polygons, five properties of a surface
+  /// and the number of points.
+  bool isOfMni() const {
+    TextCursor at(m_source.text());
+    if (at.word() != "P")
+      return false;
+    double number = 0.0;
+    for (int i = 0; i < 6; ++i) {
+      at.skipBlanks();
+      if (!at.number(number))
+        return false;
+    }
+    return true;
+  }
+
   Status readStatement() {
     const char first = m_at.peek();
     if (m_at.atLineEnd() || first == '#')

@@ -68,7 +68,7 @@ class SceneReader {
   SceneReader(const fs::path& file, const XmlNode& scene)
       : m_file(file), m_folder(file.parent_path()), m_scene(scene), m_nodes(scene) {}
 
-  SlicerScene read() {
+  Result<SlicerScene> read() {
     SlicerScene result;
     m_transforms.emplace(m_nodes, m_file.filename().string(), result.warnings);
     const std::unordered_map<std::string, std::size_t> groupOfModel =
@@ -85,6 +85,17 @@ class SceneReader {
     readSlicerFiducials({m_scene, m_nodes, m_file}, result);
     readSlicerViews({m_scene, m_nodes, m_file}, result);
     warnOfVolumes(result);
+    const auto fibres = m_scene.children("FiberBundle");
+    if (const auto bundles = std::distance(fibres.begin(), fibres.end()); bundles > 0) {
+      const bool alone = result.named == 0 && result.fiducials.empty();
+      if (alone)
+        return Error{.file = m_file.string(),
+                     .reason = "the scene holds no model but " + std::to_string(bundles) +
+                               " bundles of fibres, which are not read",
+                     .remedy = "Save them in Slicer as models: surfaces of tubes"};
+      warn(result, m_file.filename().string(),
+           std::to_string(bundles) + " bundles of fibres are left out, as they are not read");
+    }
     return result;
   }
 

@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "model/edit/views.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/figure/panel_cameras.h"
 #include "render/export/order/ink_alone.h"
+#include "render/export/plate/marks.h"
 #include "render/export/plate/plate_image.h"
 #include "render/lettering/scale_length.h"
 #include "render/lettering/typesetting.h"
@@ -245,6 +247,13 @@ class Planning {
     for (std::size_t i = 0; i < m_plan.panels.size(); ++i)
       if (const auto scale = scaleOf(m_plan.panels[i]); scale && !wish(i).inset)
         m_plan.panels[i].camera = withHeight(m_plan.panels[i].camera, widest / *scale);
+    // One bar speaks for all of them.
+    const bool doubted =
+        std::any_of(m_plan.panels.begin(), m_plan.panels.end(), [](const auto& one) {
+          return drawnUnit(one.scene) == model::DrawnUnit::doubtedMillimetre;
+        });
+    for (ExportOrder& order : m_plan.panels)
+      order.of<SharedScale>().doubted = doubted;
     m_plan.frames.clear();
     for (const std::size_t i : m_plan.layout.order)
       if (wish(i).inset)

@@ -416,4 +416,10 @@ const ExportFormat* exportFormat(std::string_view id) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool namesSources(const ExportFormat& format) {
+  constexpr std::array<std::string_view, 6> those{"page",    "page-folder", "glb",
+                                                  "scorm12", "scorm2004",   "cmi5"};
+  return std::find(those.begin(), those.end(), format.id) != those.end();
+}
+
 }  // namespace sline::render

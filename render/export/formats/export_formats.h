@@ -53,6 +53,10 @@ std::span<const ExportFormat> exportFormats();
 /// Returns the kind of this id; null where there is none.
 const ExportFormat* exportFormat(std::string_view id);
 
+/// Tells whether files of the kind say whose work the surfaces are unless `off` is chosen; others
+/// do on request alone.
+bool namesSources(const ExportFormat& format);
+
 /// Returns the options of all kinds, each once, in the order in which the user should meet them.
 std::vector<const ExportOption*> exportOptions();
 /// Resets the options of other kinds to those of an order in which nothing was chosen.

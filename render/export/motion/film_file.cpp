@@ -121,7 +121,10 @@ class Filming {
   Status subtitle(const fs::path& file) const {
     if (!m_order.of<FilmOptions>().subtitles)
       return Unit{};
-    return model::writeText(file, webVtt(*m_film, m_order.labels.language));
+    const std::string text = webVtt(*m_film, m_order.labels.language);
+    if (text.find("-->") == std::string::npos)
+      m_progress.note({.kind = ExportNote::Kind::subtitlesEmpty, .names = {}, .detail = {}});
+    return model::writeText(file, text);
   }
 
   Error at(Error error) const {

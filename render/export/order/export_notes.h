@@ -33,7 +33,10 @@ struct ExportNote {
     pageLarge,           ///< for telephones; `detail`: millions of triangles
     pageSimplified,      ///< `detail`: by how many millimetres surfaces are off at most
     quizEmpty,           ///< there is nothing that its questions could ask for
-    labelsNotAsked       ///< one does not see enough of what they name; `names`: their texts
+    labelsNotAsked,      ///< one does not see enough of what they name; `names`: their texts
+    creditsLeftOut,      ///< surfaces come under terms that want their credit beside them, and the
+                         ///< file has none; `names`: the credits
+    subtitlesEmpty       ///< no view says anything
   };
   Kind kind = Kind::labelsWithoutRoom;
   std::vector<std::string> names;  ///< plain text; two labels may have the same

@@ -21,12 +21,13 @@ struct SheetWords {
   const char* contents;
   const char* index;
   const char* wordBank;
-  const char* writeNames;    ///< what a self-test wants
-  const char* chooseNames;   ///< likewise, where there is a word bank
-  const char* whatIsMarked;  ///< what a card asks beside a mark
-  const char* whatIsHidden;  ///< likewise, beside a covered name
-  const char* whichNumber;   ///< likewise, after the name of something that has a number
-  const char* sources;       ///< heads the list of whose work the surfaces are
+  const char* writeNames;       ///< what a self-test wants
+  const char* chooseNames;      ///< likewise, where there is a word bank
+  const char* whatIsMarked;     ///< what a card asks beside a mark
+  const char* whatIsHidden;     ///< likewise, beside a covered name
+  const char* whichNumber;      ///< likewise, after the name of something that has a number
+  const char* sources;          ///< heads the list of whose work the surfaces are
+  const char* otherStructures;  ///< heads what is in no group, behind the groups
 };
 
 /// Returns the words of a language; English for unknown ones.

@@ -2,6 +2,7 @@
 #include "render/export/pdf/sheet_layout.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
@@ -183,13 +184,20 @@ std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list) {
   std::vector<LegendRow> rows;
   for (const model::Node* node :
        legendStructures(scene, list == LegendList::onSheets ? LegendList::all : list))
-    rows.push_back({node, rows.empty() || rows.back().node->parent != node->parent});
-  // Headings that would name each structure's own group, or one for all, say nothing.
-  const auto groups =
-      std::count_if(rows.begin(), rows.end(), [](const LegendRow& row) { return row.newGroup; });
+    rows.push_back({node});
+  // What is in no group would stand under the heading of the one before it.
+  const auto isGrouped = [&scene](const LegendRow& row) { return scene.find(row.node->parent); };
+  std::stable_partition(std::find_if(rows.begin(), rows.end(), isGrouped), rows.end(), isGrouped);
+  std::size_t groups = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].newGroup = i == 0 || rows[i - 1].node->parent != rows[i].node->parent;
+    groups += rows[i].newGroup ? 1 : 0;
+  }
+  // Headings that would name each structure's own group, or one for all, say nothing; what stands
+  // first needs none where it is in no group.
   for (LegendRow& row : rows)
-    row.newGroup = row.newGroup && groups > 1 && std::size_t(2 * groups) <= rows.size() &&
-                   scene.find(row.node->parent);
+    row.newGroup = row.newGroup && groups > 1 && 2 * groups <= rows.size() &&
+                   (isGrouped(row) || row.node != rows.front().node);
   return rows;
 }
 
@@ -224,13 +232,16 @@ SheetRows sheetRows(const ExportOrder& order, const LabelCounts& counts,
   }
   if (!legend.empty())
     rows.first.push_back(RowKind::heading);
+  // Ways of drawing belong to no group: where there are some, they stand before all.
+  const std::size_t hidden = legend.empty() ? 0 : hiddenLinesShown(order.scene).size();
+  const bool grouped = std::any_of(legend.begin(), legend.end(), std::mem_fn(&LegendRow::newGroup));
+  rows.first.insert(rows.first.end(), grouped ? hidden : 0, RowKind::hidden);
   for (const LegendRow& row : legend) {
     if (row.newGroup)
       rows.first.push_back(RowKind::group);
     rows.first.push_back(RowKind::legend);
   }
-  if (!legend.empty())
-    rows.first.insert(rows.first.end(), hiddenLinesShown(order.scene).size(), RowKind::hidden);
+  rows.first.insert(rows.first.end(), grouped ? 0 : hidden, RowKind::hidden);
   if (teaching) {
     rows.test.assign(counts.asked, RowKind::writeLine);
     rows.key.assign(counts.asked, RowKind::number);

@@ -103,7 +103,8 @@ struct LegendRow {
   bool newGroup = false;
 };
 /// Returns rows for the structures of the scene that such a legend lists on a sheet, in the order
-/// of the scene.
+/// of the scene; what is in no group stands before all groups, or behind them under a heading of
+/// its own.
 std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list);
 
 /// Returns in which ways outlines of visible structures are drawn where they are hidden: the legend

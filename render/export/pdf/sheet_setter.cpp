@@ -353,7 +353,8 @@ void SheetSetter::setRows(const std::vector<RowKind>& kinds, const ListFrames& f
 SheetRow SheetSetter::rowOf(RowKind kind, ListProgress& progress, const ListWords& words) const {
   SheetRow row{.kind = kind};
   if (kind == RowKind::group) {
-    row.text = nameOf(*m_order.scene.find(m_legend[progress.legend].node->parent));
+    const model::Node* group = m_order.scene.find(m_legend[progress.legend].node->parent);
+    row.text = group ? nameOf(*group) : QString::fromUtf8(m_words.otherStructures);
   } else if (kind == RowKind::legend) {
     const model::Node& node = *m_legend[progress.legend].node;
     const auto number = m_numberOf.find(node.id);

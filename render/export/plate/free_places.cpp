@@ -48,6 +48,18 @@ std::optional<glm::vec2> FreePlaces::shift(const LabelBox& box,
   return std::nullopt;
 }
 
+std::optional<glm::vec2> FreePlaces::shiftTogether(const LabelBox& one, const LabelBox& other,
+                                                   const glm::vec2& along) const {
+  const int most = m_drawn ? int(std::ceil(std::max(m_page.x, m_page.y) / step)) : 0;
+  for (int i = 0; i <= most; ++i)
+    for (const float sign : {1.0f, -1.0f}) {
+      const glm::vec2 by = sign * float(i) * step * along;
+      if (free({one.low + by, one.high + by}) && free({other.low + by, other.high + by}))
+        return by;
+    }
+  return std::nullopt;
+}
+
 std::optional<glm::vec2> FreePlaces::corner(const glm::vec2& size) const {
   constexpr float margin = markMargin;
   constexpr std::array upAndDown{glm::vec2{0.0f, 1.0f}};

@@ -30,6 +30,11 @@ class FreePlaces {
   /// the directions (unit vectors) there or back, those named first being tried first. Nothing is
   /// returned where it is free nowhere.
   std::optional<glm::vec2> shift(const LabelBox& box, std::span<const glm::vec2> along) const;
+  /// Returns by how much both boxes must be moved, by the same, to be free: not at all, else the
+  /// least along the direction there or back. Nothing is returned where they are free together
+  /// nowhere.
+  std::optional<glm::vec2> shiftTogether(const LabelBox& one, const LabelBox& other,
+                                         const glm::vec2& along) const;
   /// Returns the upper left corner of a free box of that size: in the page's lower right corner,
   /// else in one of the others or above or below it, else nothing. Where it is not known what the
   /// picture shows, it is the lower right one.

@@ -15,6 +15,7 @@
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
 #include "render/export/plate/mark_text.h"
+#include "render/export/plate/side_letters.h"
 #include "render/export/plate/source_credits.h"
 #include "render/labels/orientation_letters.h"
 #include "render/lettering/caption.h"
@@ -89,7 +90,8 @@ class MarkLayout {
 
   /// Keeps the box for what was put there.
   void take(const LabelBox& box) {
-    m_places.take(box);
+    // Words that stand side by side would read as one.
+    m_places.take({box.low - glm::vec2(gap, 0.0f), box.high + glm::vec2(gap, 0.0f)});
     m_marks.boxes.push_back(box.grown(gap));
   }
 
@@ -120,36 +122,27 @@ class MarkLayout {
             .ink = m_colours.ink};
   }
 
-  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there: then where
-  /// any letter has room, so that in a film one takes the place of another.
-  std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
-                                    TextAnchor anchor) {
-    if (letters.empty())
+  /// Adds the letter of an edge; where it cannot stay, further along that.
+  std::optional<LabelBox> addLetter(const EdgeLetter& letter, Ways ways) {
+    if (letter.letters.empty())
       return std::nullopt;
-    const auto boxWith = [&](const QString& words) {
-      return boxOf(text(words, at, letterSize, anchor));
-    };
-    const QString words = QString::fromStdString(letters);
-    LabelBox room = boxWith(words);
-    for (const QChar letter : QStringLiteral("RLAPSI")) {
-      const LabelBox other = boxWith(letter);
-      room = {glm::min(room.low, other.low), glm::max(room.high, other.high)};
-    }
-    return add(
-        {.name = "side " + letters, .shapes = {}, .text = text(words, at, letterSize, anchor)},
-        boxWith(words), anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown), room);
+    const LetteringText words =
+        text(QString::fromStdString(letter.letters), letter.at, letterSize, letter.anchor);
+    return add({.name = "side " + letter.letters, .shapes = {}, .text = words}, boxOf(words), ways,
+               roomOf(letter, points(letterSize)));
   }
 
   void addSides() {
     const EdgeLetters letters = edgeLetters(m_order.camera, m_sides);
-    const float middle = 0.5f * (m_size.y + letterCap());
     EdgeRoom& edges = m_marks.edges;
-    if (const auto box = addLetter(letters.left, {margin, middle}, TextAnchor::start))
+    const AxisLetters across = lettersAcross(letters, m_size, points(letterSize), m_places);
+    if (const auto box = addLetter(across[0], Ways(upAndDown)))
       edges.left = box->high.x + gap;
-    if (const auto box = addLetter(letters.right, {m_size.x - margin, middle}, TextAnchor::end))
+    if (const auto box = addLetter(across[1], Ways(upAndDown)))
       edges.right = m_size.x - box->low.x + gap;
-    m_top = addLetter(letters.top, {0.5f * m_size.x, margin + letterCap()}, TextAnchor::middle);
-    m_bottom = addLetter(letters.bottom, {0.5f * m_size.x, m_size.y - margin}, TextAnchor::middle);
+    const AxisLetters upright = lettersUpright(letters, m_size, points(letterSize), m_places);
+    m_top = addLetter(upright[0], Ways(sideways));
+    m_bottom = addLetter(upright[1], Ways(sideways));
     if (m_top)
       edges.top = margin + letterCap() + gap;
     if (m_bottom)
@@ -241,7 +234,9 @@ class MarkLayout {
     const auto length = scaleLength(m_order.camera, place.at, double(m_size.y), double(most));
     if (!length)
       return std::nullopt;
-    const QString plain = lengthText(length->millimetres, m_words.locale(), m_unit);
+    const QString plain = lengthText(
+        length->millimetres, m_words.locale(),
+        m_order.of<SharedScale>().doubted ? model::DrawnUnit::doubtedMillimetre : m_unit);
     const bool perspective = m_order.camera.projection == model::Projection::perspective;
     const QString line = !perspective      ? plain
                          : place.onCutFace ? m_words.atCutFace(plain)

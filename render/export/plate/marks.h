@@ -12,6 +12,12 @@
 
 namespace sline::render {
 
+/// Says of an order, among its options, whether its scale bar holds for other pictures, too, of
+/// which one has a unit that is doubted.
+struct SharedScale {
+  bool doubted = false;
+};
+
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
 /// The name of the item that is nothing but ground, below what is written at the foot.

@@ -103,6 +103,36 @@ bool namesAnother(const QStringList& rest, const std::string& whole) {
   return side || (anatomicalNames().knows(name) && english(name) != english(whole));
 }
 
+/// Returns the side that the name says.
+model::Side sideOf(const std::string& name) {
+  for (const QString& word : wordsOf(name))
+    if (const model::Side side = model::sideOfWord(word.toLower().toStdString());
+        side != model::Side::none)
+      return side;
+  return model::Side::none;
+}
+
+/// Returns the name with the side, where each language puts it and in all its forms, as nothing
+/// says of which language a synonym is.
+std::vector<std::string> withSideOf(const std::string& name, model::Side side) {
+  std::vector<std::string> all;
+  for (std::size_t language = 0; language < model::nameLanguages; ++language)
+    for (const model::Gender gender :
+         {model::Gender::masculine, model::Gender::feminine, model::Gender::neuter})
+      all.push_back(model::withSide(name, side, model::NameLanguage(language), {gender, false}));
+  return all;
+}
+
+/// Tells whether there are two of it, so that its side belongs to every answer: without the side it
+/// has a name of its own. Of the "left gastric artery" there is one.
+bool isOneOfTwo(const std::string& name) {
+  QStringList words = wordsOf(anatomicalNames().displayName(name, model::NameLanguage::english));
+  const auto sides = words.removeIf([](const QString& word) {
+    return model::sideOfWord(word.toLower().toStdString()) != model::Side::none;
+  });
+  return sides > 0 && anatomicalNames().knows(words.join(u' ').toStdString());
+}
+
 /// Adds the kind to those of the names that do not say it: "psoas major muscle", "M. psoas major".
 void addKind(Names& names, const std::vector<std::string>& whole, const KindWord& kind) {
   const std::string spelled(kind.spellings, std::strcspn(kind.spellings, " "));
@@ -122,9 +152,15 @@ AcceptedAnswers acceptedAnswers(const WordsByLanguage& words) {
   Names names;
   const auto addAll = [&names](const std::string& text) {
     names.add(std::string(model::withoutCounter(text)));
-    if (anatomicalNames().knows(text))
-      for (const std::string& other : anatomicalNames().searchWords(text))
+    if (!anatomicalNames().knows(text))
+      return;
+    const bool sided = isOneOfTwo(text);
+    for (const std::string& other : anatomicalNames().searchWords(text))
+      if (!sided || sideOf(other) != model::Side::none)
         names.add(other);
+      else
+        for (const std::string& one : withSideOf(other, sideOf(text)))
+          names.add(one);
   };
   for (const auto& [tag, text] : words) {
     addAll(text);

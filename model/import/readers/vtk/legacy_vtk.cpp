@@ -31,6 +31,8 @@ class LegacyParser {
       return m_file.source.whole("has no POINTS");
     m_mesh.frame = m_file.frame;
     m_mesh.frameReason = m_file.frameReason;
+    if (m_faces.size() == 0 && m_mesh.positions.empty())
+      return m_file.source.whole("is empty: it holds no points");
     if (m_faces.size() == 0)
       return m_file.source.whole(
           m_skippedCells ? "holds points or lines but no POLYGONS" : "holds points but no POLYGONS",
@@ -44,6 +46,10 @@ class LegacyParser {
   }
 
  private:
+  static bool isEncoding(std::string_view line) {
+    return equalsIgnoringCase(line, "binary") || equalsIgnoringCase(line, "ascii");
+  }
+
   Status readHeader() {
     const char* place = m_file.at.at();
     std::string_view line = m_file.at.restOfLine();
@@ -57,13 +63,19 @@ class LegacyParser {
       return m_file.source.atLine(place, inQuotes(line.substr(22)) + " is not a version this reads",
                                   "Save the file in version 4.2 or 5.1");
     m_file.majorVersion = int(number);
-    m_file.frame = frameInText(m_file.at.restOfLine());
+    const std::string_view title = m_file.at.restOfLine();
+    m_file.frame = frameInText(title);
     if (m_file.frame)
       m_file.frameReason = "SPACE in the title";
     place = m_file.at.at();
     line = m_file.at.restOfLine();
+    // Some writers leave the title's line out.
+    if (isEncoding(title) && line.size() >= 7 && equalsIgnoringCase(line.substr(0, 7), "dataset")) {
+      m_file.at.moveTo(place);
+      line = title;
+    }
     m_file.binary = equalsIgnoringCase(line, "binary");
-    if (!m_file.binary && !equalsIgnoringCase(line, "ascii"))
+    if (!isEncoding(line))
       return m_file.wrong(place, inQuotes(line) + " stands where ASCII or BINARY should");
     return Unit{};
   }

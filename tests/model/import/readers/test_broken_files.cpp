@@ -99,6 +99,9 @@ class TestBrokenFiles : public QObject {
   static void addStl() {
     for (const double part : {0.02, 0.3, 0.6, 0.97})
       addRefusal(QString("stl text cut at %1").arg(part), ".stl", cut("stl text", part), "line ");
+    addRefusal("obj of the MNI", ".obj", "P 0.3 0.3 0.4 10 1 3\n 0 0 0\n 1 0 0\n 0 1 0\n", "MNI");
+    addRefusal("vtk without title and points", ".vtk",
+               "# vtk DataFile Version 1.0\nBINARY\nDATASET POLYDATA\nPOINTS 0 float", "is empty");
     addRefusal("stl text cut before endsolid", ".stl", edited("stl text", "endsolid cube\n", ""),
                "the file ends where 'facet' or 'endsolid'");
     addRefusal("stl binary header only", ".stl", cubeFile("stl binary").left(84),

@@ -286,6 +286,8 @@ void SlicerSceneTest::broken_data() {
   QTest::newRow("cut off") << scene(liver()).left(150) << "line 3";
   QTest::newRow("another XML") << QByteArray("<VTKFile/>") << "no 3D Slicer scene";
   QTest::newRow("no models") << scene("<Camera id=\"c\"/>") << "holds no model";
+  QTest::newRow("bundles of fibres")
+      << scene("<FiberBundle id=\"f\"/><FiberBundle id=\"g\"/>") << "2 bundles of fibres";
   QTest::newRow("only absent models") << scene(liver({}, {}, "gone.vtk")) << "can be found";
   QTest::newRow("zeros") << QByteArray(1000, '\0') << "";
 }

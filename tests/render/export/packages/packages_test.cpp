@@ -15,6 +15,7 @@
 #include "render/export/packages/moodle_quiz.h"
 #include "render/export/packages/page_package.h"
 #include "render/export/packages/qti_package.h"
+#include "render/export/students/accepted_answers.h"
 #include "render/export/students/students_options.h"
 #include "tests/render/export/packages/asked_scene.h"
 #include "tests/support/suite.h"
@@ -137,6 +138,16 @@ class PackagesTest : public QObject {
 
   void answersAreTolerant() {
     const std::vector<std::string>& names = thing("left kidney").accepted;
+    // A side belongs to the answer wherever there are two, by whatever name.
+    const std::vector<std::string> hip =
+        render::ownAnswers({{"de", "linkes Hüftbein"}, {"en", "left hip bone"}}, {});
+    const auto isRight = [&hip](const char* name) {
+      return std::find(hip.begin(), hip.end(), name) != hip.end();
+    };
+    for (const char* sided : {"left hip bone", "left hip", "left pelvic bone", "linkes Hüftbein"})
+      QVERIFY2(isRight(sided), sided);
+    for (const char* bare : {"hip", "pelvic bone", "hip bone", "Hüftbein", "os coxae"})
+      QVERIFY2(!isRight(bare), bare);
     QCOMPARE(names.front(), std::string("left kidney"));
     // No system tells capitals from small letters.
     for (const char* name : {"Ren sinister", "linke Niere", "venstre nyre"})

@@ -111,6 +111,7 @@ class PdfTest : public QObject {
   void clearGroupsAreGroups();
   void listsFlow_data();
   void listsFlow();
+  void legendHeadingsHoldForWhatIsBelow();
   void stopsWhenToldTo();
   void pagesAreTagged();
   void othersReadTags();
@@ -292,6 +293,48 @@ void PdfTest::listsFlow() {
     last = places[i + 1].page;
   }
   QCOMPARE(rows.empty() ? 0 : int(last) + 1, pages);
+}
+
+/// What is in no group never stands under the heading of one, nor do ways of drawing.
+void PdfTest::legendHeadingsHoldForWhatIsBelow() {
+  model::Scene scene;
+  const auto add = [&scene](const char* name, model::NodeId parent, bool surface) {
+    model::Node node;
+    node.name = name;
+    node.parent = parent;
+    if (surface)
+      node.mesh = sphere(20.0f, 1);
+    if (!surface)
+      node.style.hiddenLines = model::HiddenLines::dashed;
+    return scene.append(std::move(node));
+  };
+  const model::NodeId bone = add("bones", model::rootId, false);
+  for (const char* name : {"tibia", "fibula", "talus"})
+    add(name, bone, true);
+  add("prostate", model::rootId, true);
+  const model::NodeId vessel = add("vessels", model::rootId, false);
+  for (const char* name : {"aorta", "vena cava"})
+    add(name, vessel, true);
+  add("bladder", model::rootId, true);
+  const auto written = [&scene] {
+    QStringList all;
+    for (const LegendRow& row : legendRows(scene, LegendList::all)) {
+      const model::Node* group = scene.find(row.node->parent);
+      if (row.newGroup)
+        all << (group ? "[" + QString::fromStdString(group->name) + "]" : "[]");
+      all << QString::fromStdString(row.node->name);
+    }
+    return all.join(' ');
+  };
+  QCOMPARE(written(),
+           QString("[bones] tibia fibula talus [vessels] aorta vena cava [] prostate bladder"));
+  const std::vector<LegendRow> legend = legendRows(scene, LegendList::all);
+  ExportOrder order;
+  order.scene = scene;
+  order.of<SheetOptions>().kind = SheetKind::figure;
+  const std::vector<RowKind> rows = sheetRows(order, {}, legend).first;
+  QVERIFY(rows.size() > 2 && rows[0] == RowKind::heading && rows[1] == RowKind::hidden);
+  QVERIFY(rows.back() == RowKind::legend);
 }
 
 void PdfTest::stopsWhenToldTo() {

@@ -145,6 +145,29 @@ class ClearMarksTest : public QObject {
       QCOMPARE(plate.marks.lettering.items.size(), usual.lettering.items.size());
   }
 
+  /// A body is not tilted by what is in the way of one letter: those of an axis move together. None
+  /// stands so near to other words that they read as one.
+  void lettersOfAnAxisMoveTogether() {
+    ExportOrder order = orderOf(sphereScene());
+    order.camera.projection = model::Projection::orthographic;
+    order.camera.heightMm = 130.0f;
+    order.camera.target += glm::vec3(0.0f, 0.0f, -20.0f);  // the ball reaches over the upper edge
+    order.camera.eye = order.camera.target + glm::vec3(0.0f, -400.0f, 0.0f);
+    const Marks marks = figurePlate(order).marks;
+    const auto middle = [&marks](const char* name) {
+      const LetteringItem* item = find(marks, name);
+      return item ? item->text->at : glm::vec2(-1.0f);
+    };
+    QVERIFY(std::abs(middle("side S").x - 80.0f) > 15.0f);
+    QVERIFY(std::abs(middle("side S").x - middle("side I").x) < 0.01f);
+    QVERIFY(std::abs(middle("side R").y - middle("side L").y) < 0.01f);
+    for (const LetteringItem& one : marks.lettering.items)
+      for (const LetteringItem& other : marks.lettering.items)
+        if (&one != &other && one.text && other.text)
+          QVERIFY2(!boxOf(one).adjusted(-0.5, 0.0, 0.5, 0.0).intersects(boxOf(other)),
+                   (one.name + " at " + other.name).c_str());
+  }
+
   /// A camera that is fitted leaves room for what the view says, above whose work it is.
   void fittedCamerasLeaveRoomForWords() {
     ExportOrder order = orderOf(sphereScene());
