@@ -56,7 +56,9 @@ void AnatomicalNamesTest::display_data() {
   // A counter of the program's own is no number of anatomy's.
   row("kidney (no. 2)",
       {"kidney (no. 2)", "ren (no. 2)", "Niere (Nr. 2)", "nier (nr. 2)", "nyre (nr. 2)"});
-  row("rib (no. 2)", {"rib (no. 2)", "rib (no. 2)", "rib (no. 2)", "rib (no. 2)", "rib (no. 2)"});
+  row("liver segment (no. 2)",
+      {"liver segment (no. 2)", "liver segment (no. 2)", "liver segment (no. 2)",
+       "liver segment (no. 2)", "liver segment (no. 2)"});
   // Sides in short, and umlauts written as two letters.
   row("Niere_li", {"Left kidney", "Ren sinister", "Linke Niere", "Linker nier", "Venstre nyre"});
   row("Hueftbein re.", {"Right hip bone", "Os coxae dextrum", "Rechtes Hüftbein",
