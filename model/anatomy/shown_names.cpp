@@ -120,8 +120,8 @@ class KnownWords {
       for (const std::vector<std::string_view>& fields : tableRows(table))
         add(fields.front());
     for (const std::vector<std::string_view>& fields : tableRows(cellNamesText()))
-      for (std::size_t i = 1; i < fields.size(); ++i)  // after the number
-        add(fields[i]);
+      for (const std::string_view name : fields)
+        add(name);
   }
 
   bool has(const std::string& word) const {
