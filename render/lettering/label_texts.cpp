@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/scene/label_words.h"
+#include "model/scene/told_length.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/word_division.h"
 
@@ -36,15 +37,10 @@ std::string bounded(const std::string& text) {
 
 /// Returns "88 mm", below 10 mm with a decimal, and below 0.1 mm "3.8 µm".
 QString distanceText(float millimetres, const QLocale& locale, model::DrawnUnit unit) {
-  constexpr float small = 0.1f;
-  const std::string symbol(symbolOf(unit));
-  const bool micrometres = unit != model::DrawnUnit::angstrom && millimetres < small;
-  const double value = micrometres ? 1000.0 * double(millimetres) : double(millimetres);
-  const QString number = value < double(small) ? locale.toString(value, 'g', 2)
-                                               : locale.toString(value, 'f', value < 10.0 ? 1 : 0);
-  return number + QChar(QChar::Nbsp) +
-         (micrometres ? QStringLiteral("µm") + QString::fromStdString(symbol.substr(2))
-                      : QString::fromStdString(symbol));
+  const model::ToldUnit told = model::toldUnit(double(millimetres), unit);
+  const double value = double(millimetres) / told.millimetres;
+  return locale.toString(value, 'f', value < 10.0 ? 1 : 0) + QChar(QChar::Nbsp) +
+         QString::fromStdString(told.mark());
 }
 
 QString fullText(const ShownLabel& label, const LabelStyle& style) {

@@ -167,7 +167,7 @@ class LetteringTest : public QObject {
                                                      {0.1f, "0.1 mm"},
                                                      {0.0038f, "3.8 µm"},
                                                      {0.0135f, "14 µm"},
-                                                     {2e-5f, "0.02 µm"}};
+                                                     {2e-5f, "20 nm"}};
     label.text.clear();
     for (const auto& [length, text] : lengths) {
       label.lengthMm = length;
