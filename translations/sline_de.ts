@@ -1855,6 +1855,50 @@
         <source>there is no such member in the file</source>
         <translation>die Datei enthält keinen solchen Teil</translation>
     </message>
+    <message>
+        <source>header: metres</source>
+        <translation>Kopf der Datei: Meter</translation>
+    </message>
+    <message>
+        <source>header: centimetres</source>
+        <translation>Kopf der Datei: Zentimeter</translation>
+    </message>
+    <message>
+        <source>header: micrometres</source>
+        <translation>Kopf der Datei: Mikrometer</translation>
+    </message>
+    <message>
+        <source>the scene holds no model but %1 bundles of fibres, which are not read</source>
+        <translation>die Szene enthält kein Modell, sondern %1 Faserbündel, die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 bundles of fibres are left out, as they are not read</source>
+        <translation>%1 Faserbündel wurden weggelassen, denn sie werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Save them in Slicer as models: surfaces of tubes</source>
+        <translation>Speichern Sie sie in Slicer als Modelle: Flächen von Röhren</translation>
+    </message>
+    <message>
+        <source>is a surface of the MNI&apos;s programs (.obj), not a Wavefront OBJ</source>
+        <translation>ist eine Fläche der Programme des MNI (.obj), kein Wavefront-OBJ</translation>
+    </message>
+    <message>
+        <source>Convert it to PLY, VTK or a Wavefront OBJ</source>
+        <translation>Wandeln Sie sie in PLY, VTK oder Wavefront-OBJ um</translation>
+    </message>
+    <message>
+        <source>is empty: it holds no points</source>
+        <translation>ist leer: Punkte gibt es darin nicht</translation>
+    </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>der Grafiktreiber hat verloren, was er gezeichnet hatte</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>der Grafiktreiber hat keinen Speicher mehr für das Bild</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -3742,10 +3786,6 @@
     <message>
         <source>Size</source>
         <translation>Größe</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
@@ -5724,6 +5764,26 @@
         <source>another than its name says</source>
         <translation>eine andere, als der Name sagt</translation>
     </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Die Datei sagt nicht, von wem ihre Flächen sind, was deren Lizenz verlangt: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>Die Untertitel sind leer, denn keine Ansicht sagt etwas.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>Lassen Sie es in einer Zeile nennen, oder nennen Sie es dort, wo die Datei erscheint.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Schreiben Sie, was Ansichten sagen.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4 (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 %4 (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7482,10 +7542,6 @@ OpenGL: %3</translation>
         <source>“%1”</source>
         <translation>„%1“</translation>
     </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n structures</source>
         <translation>
@@ -7591,6 +7647,10 @@ OpenGL: %3</translation>
     <message>
         <source>Choose %1.</source>
         <translation>Wähle %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4</source>
+        <translation>%1 × %2 × %3 %4</translation>
     </message>
 </context>
 <context>

@@ -1855,6 +1855,50 @@
         <source>there is no such member in the file</source>
         <translation>filen inneholder ingen slik del</translation>
     </message>
+    <message>
+        <source>header: metres</source>
+        <translation>filhodet: meter</translation>
+    </message>
+    <message>
+        <source>header: centimetres</source>
+        <translation>filhodet: centimeter</translation>
+    </message>
+    <message>
+        <source>header: micrometres</source>
+        <translation>filhodet: mikrometer</translation>
+    </message>
+    <message>
+        <source>the scene holds no model but %1 bundles of fibres, which are not read</source>
+        <translation>scenen inneholder ingen modell, men %1 fiberbunter, som ikke leses</translation>
+    </message>
+    <message>
+        <source>%1 bundles of fibres are left out, as they are not read</source>
+        <translation>%1 fiberbunter er utelatt, for de leses ikke</translation>
+    </message>
+    <message>
+        <source>Save them in Slicer as models: surfaces of tubes</source>
+        <translation>Lagre dem i Slicer som modeller: flater av rør</translation>
+    </message>
+    <message>
+        <source>is a surface of the MNI&apos;s programs (.obj), not a Wavefront OBJ</source>
+        <translation>er en flate fra MNIs programmer (.obj), ikke en Wavefront-OBJ</translation>
+    </message>
+    <message>
+        <source>Convert it to PLY, VTK or a Wavefront OBJ</source>
+        <translation>Gjør den om til PLY, VTK eller Wavefront-OBJ</translation>
+    </message>
+    <message>
+        <source>is empty: it holds no points</source>
+        <translation>er tom: den inneholder ingen punkter</translation>
+    </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>grafikkdriveren har mistet det den hadde tegnet</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>grafikkdriveren har ikke mer minne til bildet</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -3742,10 +3786,6 @@
     <message>
         <source>Size</source>
         <translation>Størrelse</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (høyre–venstre, foran–bak, fot–hode)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
@@ -5724,6 +5764,26 @@
         <source>another than its name says</source>
         <translation>en annen enn navnet sier</translation>
     </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Filen sier ikke hvem flatene er laget av, slik lisensen deres krever: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>Undertekstene er tomme, for ingen visning sier noe.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>La det stå på en linje, eller si det der filen blir publisert.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Skriv hva visningene sier.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4 (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 %4 (høyre–venstre, foran–bak, fot–hode)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7482,10 +7542,6 @@ OpenGL: %3</translation>
         <source>“%1”</source>
         <translation>«%1»</translation>
     </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n structures</source>
         <translation>
@@ -7591,6 +7647,10 @@ OpenGL: %3</translation>
     <message>
         <source>Choose %1.</source>
         <translation>Velg %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4</source>
+        <translation>%1 × %2 × %3 %4</translation>
     </message>
 </context>
 <context>

@@ -1855,6 +1855,50 @@
         <source>there is no such member in the file</source>
         <translation>het bestand bevat geen zo’n onderdeel</translation>
     </message>
+    <message>
+        <source>header: metres</source>
+        <translation>header van het bestand: meter</translation>
+    </message>
+    <message>
+        <source>header: centimetres</source>
+        <translation>header van het bestand: centimeter</translation>
+    </message>
+    <message>
+        <source>header: micrometres</source>
+        <translation>header van het bestand: micrometer</translation>
+    </message>
+    <message>
+        <source>the scene holds no model but %1 bundles of fibres, which are not read</source>
+        <translation>de scène bevat geen model maar %1 vezelbundels, die niet worden gelezen</translation>
+    </message>
+    <message>
+        <source>%1 bundles of fibres are left out, as they are not read</source>
+        <translation>%1 vezelbundels zijn weggelaten, want ze worden niet gelezen</translation>
+    </message>
+    <message>
+        <source>Save them in Slicer as models: surfaces of tubes</source>
+        <translation>Sla ze in Slicer op als modellen: oppervlakken van buizen</translation>
+    </message>
+    <message>
+        <source>is a surface of the MNI&apos;s programs (.obj), not a Wavefront OBJ</source>
+        <translation>is een oppervlak van de programma&apos;s van het MNI (.obj), geen Wavefront-OBJ</translation>
+    </message>
+    <message>
+        <source>Convert it to PLY, VTK or a Wavefront OBJ</source>
+        <translation>Zet het om in PLY, VTK of Wavefront-OBJ</translation>
+    </message>
+    <message>
+        <source>is empty: it holds no points</source>
+        <translation>is leeg: er staan geen punten in</translation>
+    </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>het grafische stuurprogramma is kwijt wat het had getekend</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>het grafische stuurprogramma heeft geen geheugen meer voor het beeld</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -3742,10 +3786,6 @@
     <message>
         <source>Size</source>
         <translation>Grootte</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (rechts–links, voor–achter, voet–hoofd)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
@@ -5724,6 +5764,26 @@
         <source>another than its name says</source>
         <translation>een andere dan de naam zegt</translation>
     </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Het bestand zegt niet van wie de oppervlakken zijn, wat hun licentie vraagt: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>De ondertitels zijn leeg, want geen enkel aanzicht zegt iets.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>Laat het in een regel zeggen, of zeg het waar het bestand verschijnt.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Schrijf wat aanzichten zeggen.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4 (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 %4 (rechts–links, voor–achter, voet–hoofd)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7482,10 +7542,6 @@ OpenGL: %3</translation>
         <source>“%1”</source>
         <translation>‘%1’</translation>
     </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n structures</source>
         <translation>
@@ -7591,6 +7647,10 @@ OpenGL: %3</translation>
     <message>
         <source>Choose %1.</source>
         <translation>Kies %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4</source>
+        <translation>%1 × %2 × %3 %4</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iomanip>
+#include <sstream>
 
 #include "app/cli/command.h"
 #include "app/cli/files/language_tag.h"
@@ -17,6 +18,7 @@
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"
 #include "model/scene/shortest_distance.h"
+#include "model/scene/told_length.h"
 #include "model/scene_file/scene_file.h"
 #include "render/labels/seen_map.h"
 
@@ -345,6 +347,15 @@ std::optional<float> lengthOf(const model::Scene& scene, const Annotation& annot
   return from && to ? std::optional(glm::distance(*from, *to)) : std::nullopt;
 }
 
+/// Returns "mm=25.00", with a question mark where the unit is doubted, or "Å=0.60".
+std::string lengthField(double millimetres, model::DrawnUnit unit) {
+  const model::ToldUnit told = model::toldUnit(millimetres, unit);
+  std::ostringstream text;
+  text << told.symbol << '=' << std::fixed << std::setprecision(2) << millimetres / told.millimetres
+       << (told.doubted ? "?" : "");
+  return text.str();
+}
+
 Exit list(const model::Scene& scene) {
   for (const Annotation& annotation : scene.annotations()) {
     std::cout << annotation.id.value << '\t' << annotationKindNames[std::size_t(annotation.kind)]
@@ -354,7 +365,7 @@ Exit list(const model::Scene& scene) {
     };
     std::cout << structuresOf(scene, annotation) << '\t' << words(annotation.text);
     if (const auto length = lengthOf(scene, annotation))
-      std::cout << '\t' << "mm=" << std::fixed << std::setprecision(2) << *length;
+      std::cout << '\t' << lengthField(double(*length), drawnUnit(scene));
     for (const auto& [language, text] : annotation.texts)
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';

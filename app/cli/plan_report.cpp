@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/plan_report.h"
 
-#include <cmath>
 #include <map>
 #include <sstream>
 
 #include "app/cli/files/flag_words.h"
 #include "app/cli/flags/values.h"
 #include "model/scene/known_frame.h"
+#include "model/scene/told_length.h"
 
 namespace sline::cli {
 
@@ -60,7 +60,8 @@ std::string frameDecision(const model::Provenance& origin) {
 }
 
 std::string unitDecision(const model::Provenance& origin) {
-  return decision(jsonText(jsonNumber(origin.mmPerUnit)) + " mm", origin.unitReason);
+  return decision(jsonText(jsonNumber(origin.mmPerUnit)) + " mm", origin.unitReason) +
+         (model::isUnitDoubted(origin) ? ", which is not certain" : "");
 }
 
 /// Tells how many structures each decision holds for.
@@ -119,9 +120,7 @@ std::string planText(const model::ImportPlan& plan) {
   }
   out << counted(structures, "structure") << ", " << counted(triangles, "triangle");
   if (const model::Box box = plan.scene.visibleBounds(); !box.empty()) {
-    const glm::vec3 size = box.size();
-    out << ", " << std::lround(size.x) << " × " << std::lround(size.y) << " × "
-        << std::lround(size.z) << " mm";
+    out << ", " << model::toldSize(box.size(), drawnUnit(plan.scene));
   }
   out << '\n'
       << decisions(plan.scene, "frame", frameDecision)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "model/scene/told_length.h"
+
 namespace sline::render {
 
 double roundStep(double most) {
@@ -62,20 +64,23 @@ ScalePlaces scalePlaces(const model::Scene& scene) {
 
 QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {
   const bool angstrom = unit == model::DrawnUnit::angstrom;
-  const bool doubted = unit == model::DrawnUnit::doubtedMillimetre;
+  const model::ToldUnit told = model::toldUnit(millimetres, unit);
   const int digits = angstrom ? 9 : 4;
   const auto text = [&](double value, std::string_view symbol) {
     return locale.toString(value, 'g', digits) + QLatin1Char(' ') +
            QString::fromUtf8(symbol.data(), qsizetype(symbol.size())) +
-           (doubted ? QStringLiteral("?") : QString());
+           (told.doubted ? QStringLiteral("?") : QString());
   };
   if (angstrom)
-    return text(millimetres, symbolOf(unit));
+    return text(millimetres, told.symbol);
   if (millimetres >= 1000.0)
     return text(millimetres / 1000.0, "m");
   if (millimetres >= 10.0)
     return text(millimetres / 10.0, "cm");
-  return text(millimetres, "mm");
+  // A round number of a smaller unit is not quite round after the division.
+  return text(
+      told.millimetres < 1.0 ? std::round(1e6 * millimetres / told.millimetres) / 1e6 : millimetres,
+      told.symbol);
 }
 
 }  // namespace sline::render

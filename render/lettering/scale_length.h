@@ -42,9 +42,9 @@ struct ScalePlaces {
   bool operator==(const ScalePlaces&) const = default;
 };
 ScalePlaces scalePlaces(const model::Scene& scene);
-/// Returns "5 mm", from 10 mm on "1 cm", from 1000 mm on "1 m", with the number as the locale
-/// writes it; for a scene that is drawn in another unit its number of those: "5 Å";
-/// where the unit is doubted "1 cm?".
+/// Returns "5 mm", from 10 mm on "1 cm", from 1000 mm on "1 m", below 0.1 mm "50 µm", with the
+/// number as the locale writes it; for a scene that is drawn in another unit its number of those:
+/// "5 Å"; where the unit is doubted "1 cm?".
 QString lengthText(double millimetres, const QLocale& locale,
                    model::DrawnUnit unit = model::DrawnUnit::millimetre);
 

@@ -137,8 +137,17 @@ void ImportTest::unitsAreAskedAbout() {
                                  QByteArray("--unit cm"), QByteArray("--unit mm")})
     QVERIFY2(asked.err.contains(part), asked.err.constData());
   const Finished later = runSline({"info", out});
-  QVERIFY2(later.out.contains("10.0 mm?") && later.err.contains("stand with a"),
+  QVERIFY2(later.out.contains("10 mm?") && later.err.contains("stand with a"),
            later.out.constData());
+  // Small sizes are told in a unit that shows them.
+  const QString cell = at("cell.obj");
+  writeFile(cell,
+            "v 0 0 0\nv 0.05 0 0\nv 0 0.04 0\nv 0 0 0.0125\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  for (const QStringList& command :
+       {QStringList{"info", cell}, QStringList{"import", cell, "--plan"}}) {
+    const QByteArray told = runSline(command).out;
+    QVERIFY2(told.contains("50 × 40 × 12.5 µm"), told.constData());
+  }
   const QJsonObject plan = objectOf({"import", kidney, "--plan", "--json"});
   QCOMPARE(plan["unit_doubts"][0]["fitting_mm_per_unit"][0].toDouble(), 10.0);
   for (const QString& unit : QStringList{"cm", "mm", "10", "um", "0.5"}) {

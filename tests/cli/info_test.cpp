@@ -92,9 +92,10 @@ void InfoTest::jsonHasItsShape() {
   const QJsonObject root = info({writeSample(folder.path())});
   QStringList keys = root.keys();
   keys.sort();
-  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "frame_reason", "front",
-                              "on_other_side", "read_as", "scans", "sides", "structures",
-                              "triangles", "unit_doubted", "vertices", "views", "warnings"}));
+  QCOMPARE(keys,
+           QStringList({"annotations", "bounds_mm", "frame", "frame_reason", "front",
+                        "on_other_side", "read_as", "scans", "sides", "structures", "triangles",
+                        "unit", "unit_doubted", "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/import/naming/laterality.h"
+#include "model/scene/told_length.h"
 #include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/import_draft.h"
 #include "widgets/text/told.h"
@@ -75,18 +76,17 @@ QString someNames(const model::Scene& scene, const std::vector<model::NodeId>& i
 }  // namespace
 
 QString millimetresText(float millimetres) {
-  const QLocale locale;
-  if (millimetres >= 10.0f)
-    return locale.toString(qlonglong(millimetres + 0.5f));
-  return locale.toString(double(millimetres), 'g', 2);
+  return QLocale().toString(double(millimetres), 'f', model::toldDecimals(double(millimetres)));
 }
 
 QString boxText(const model::Box& box) {
   if (box.empty())
     return {};
   const glm::vec3 size = box.size();
-  return ImportDraft::tr("%1 × %2 × %3 mm")
-      .arg(millimetresText(size.x), millimetresText(size.y), millimetresText(size.z));
+  const model::ToldUnit unit = model::toldUnit(double(std::max({size.x, size.y, size.z})));
+  const auto part = [&](int axis) { return millimetresText(size[axis] / float(unit.millimetres)); };
+  return ImportDraft::tr("%1 × %2 × %3 %4")
+      .arg(part(0), part(1), part(2), QString::fromStdString(unit.mark()));
 }
 
 QString summaryText(const model::ImportPlan& plan, const PlanFigures& figures) {

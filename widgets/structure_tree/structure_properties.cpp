@@ -21,6 +21,7 @@
 #include "model/fairing/faired.h"
 #include "model/scene/measured_extent.h"
 #include "model/scene/resolved_styles.h"
+#include "model/scene/told_length.h"
 #include "widgets/gamma/stages.h"
 #include "widgets/text/told.h"
 #include "widgets/text/tr.h"
@@ -99,6 +100,21 @@ void addOrigin(std::vector<Property>& rows, const model::Provenance& p) {
   rows.push_back({QStringLiteral("import"), tr("Import"), imported(p)});
 }
 
+/// Returns what the sizes of the structures are told in.
+model::DrawnUnit unitOf(const std::vector<model::ResolvedStructure>& structures) {
+  const auto isMolecule = [](const model::ResolvedStructure& each) {
+    return each.node->provenance.unitReason == model::angstromReason;
+  };
+  const auto isDoubted = [](const model::ResolvedStructure& each) {
+    return model::isUnitDoubted(each.node->provenance);
+  };
+  if (std::any_of(structures.begin(), structures.end(), isDoubted))
+    return model::DrawnUnit::doubtedMillimetre;
+  return std::all_of(structures.begin(), structures.end(), isMolecule)
+             ? model::DrawnUnit::angstrom
+             : model::DrawnUnit::millimetre;
+}
+
 void addLooks(std::vector<Property>& rows, const model::Scene& scene, const model::Node& node) {
   const model::ResolvedStyle style = scene.resolve(node.id);
   const model::Style& own = node.style;
@@ -152,11 +168,16 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
   }
   rows.push_back({QStringLiteral("triangles"), tr("Triangles"), count(triangles)});
   if (!bounds.empty()) {
-    const glm::vec3 size = bounds.size();
-    rows.push_back(
-        {QStringLiteral("size"), tr("Size"),
-         tr("%1 × %2 × %3 mm (right–left, front–back, foot–head)")
-             .arg(number(double(size.x)), number(double(size.y)), number(double(size.z)))});
+    const glm::dvec3 size = bounds.size();
+    const model::ToldUnit unit =
+        model::toldUnit(std::max({size.x, size.y, size.z}), unitOf(structures));
+    const auto part = [&](int axis) {
+      return QLocale().toString(size[axis] / unit.millimetres, 'f',
+                                model::toldDecimals(size[axis] / unit.millimetres));
+    };
+    rows.push_back({QStringLiteral("size"), tr("Size"),
+                    tr("%1 × %2 × %3 %4 (right–left, front–back, foot–head)")
+                        .arg(part(0), part(1), part(2), QString::fromStdString(unit.mark()))});
   }
   if (one && !first.isGroup())
     addOrigin(rows, first.provenance);

@@ -15,6 +15,7 @@
 #include "model/scene/cut_place.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
+#include "model/scene/told_length.h"
 
 namespace sline::cli {
 
@@ -59,6 +60,9 @@ SceneSummary summaryOf(const model::Scene& scene) {
   for (const model::NodeId id : model::onOtherSide(scene))
     summary.onOtherSide.push_back(scene.find(id)->name);
   summary.unitDoubted = model::hasDoubtedUnits(scene);
+  summary.unit = model::drawnUnit(scene);
+  if (summary.unitDoubted)
+    summary.unit = model::DrawnUnit::doubtedMillimetre;
   summary.views = scene.views();
   static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
   for (const model::Annotation& annotation : scene.annotations()) {
@@ -131,6 +135,7 @@ Json summaryJson(const SceneSummary& summary) {
   root["frame_reason"] = summary.frameReason;
   putSides(root, summary.sided, summary.evidence);
   root["unit_doubted"] = summary.unitDoubted;
+  root["unit"] = summary.unit == model::DrawnUnit::angstrom ? "angstrom" : "mm";
   root["on_other_side"] = summary.onOtherSide;
   root["structures"] = Json::array();
   for (const StructureInfo& structure : summary.structures)
@@ -212,9 +217,8 @@ void printSummary(const SceneSummary& summary) {
               << onOneLine(structure.group) << '\n';
   const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
   std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
-            << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
-            << " × " << size.y << " × " << size.z << (summary.unitDoubted ? " mm?" : " mm")
-            << " in " << summary.frame << readAsText(summary) << '\n';
+            << summary.vertices << " vertices, " << model::toldSize(size, summary.unit) << " in "
+            << summary.frame << readAsText(summary) << '\n';
   printViewsAndAnnotations(summary);
   printScans(summary);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/files/json_values.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/scene.h"
 
 namespace sline::cli {
@@ -32,9 +33,10 @@ struct SceneSummary {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   model::Box bounds;
-  bool unitDoubted = false;  ///< lengths may be of another unit
-  std::string frame;         ///< of the bounds: "LPS", "file", or "mixed"
-  std::string readAs;        ///< how files were read; "mixed" where they differ
+  bool unitDoubted = false;                              ///< lengths may be of another unit
+  model::DrawnUnit unit = model::DrawnUnit::millimetre;  ///< that lengths are told in
+  std::string frame;   ///< of the bounds: "LPS", "file", or "mixed"
+  std::string readAs;  ///< how files were read; "mixed" where they differ
   std::string frameReason;
   bool sided = true;
   model::SideEvidence evidence;  ///< the least sure of all
@@ -49,7 +51,8 @@ struct SceneSummary {
 SceneSummary summaryOf(const model::Scene& scene);
 
 /// Returns "triangles", "vertices", "bounds_mm", "frame" (of the bounds), "read_as" (the frame of
-/// the files) with "frame_reason", "sides" and "front" (how sure these are), "unit_doubted",
+/// the files) with "frame_reason", "sides" and "front" (how sure these are), "unit_doubted", "unit"
+/// ("angstrom" where a number of "bounds_mm" stands for one),
 /// "on_other_side", "structures", "views", "annotations" and "scans".
 Json summaryJson(const SceneSummary& summary);
 /// Prints one line per structure and one for all, then saved views, annotations and scans.

@@ -2,26 +2,25 @@
 #include "model/import/plan/implausible_sizes.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "model/geometry/scale_limits.h"
 #include "model/scene/known_frame.h"
+#include "model/scene/told_length.h"
 
 namespace sline::model {
 
 namespace {
 
-/// Returns the longest side of the box with its unit, "1.5 km" or "2e-06 mm".
+/// Returns the longest side of the box with its unit, "1.5 km" or "2 nm".
 std::string lengthText(const Box& box) {
   constexpr float metre = 1e3f;
   constexpr float kilometre = 1e6f;
   const glm::vec3 size = box.size();
   const float across = std::max({size.x, size.y, size.z});
   const float unit = across >= kilometre ? kilometre : across >= metre ? metre : 1.0f;
-  std::ostringstream text;
-  text.precision(3);
-  text << across / unit << (unit == kilometre ? " km" : unit == metre ? " m" : " mm");
-  return text.str();
+  if (unit == 1.0f)
+    return toldLength(double(across));
+  return toldNumber(double(across / unit)) + (unit == kilometre ? " km" : " m");
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 
 #include "model/import/naming/laterality.h"
 #include "model/import/plan/file_marks.h"
+#include "model/import/source/stated_unit.h"
 #include "model/import/volumes/grey_volume.h"
+#include "model/scene/told_length.h"
 
 namespace sline::model {
 
@@ -29,7 +31,7 @@ Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
   if (made != parts.end())
     return {made->frame, double(made->provenance.mmPerUnit), made->provenance.evidence};
   const GreyVolume& volume = *scan.raw.volume;
-  const double unit = double(options.unit.value_or(1.0f));
+  const double unit = options.unit ? double(*options.unit) : statedMillimetres(volume.unitReason);
   if (options.frame)
     return {options.frame, unit, {Evidence::settled, Evidence::settled}};
   if (volume.frame)
@@ -46,11 +48,12 @@ glm::dmat4 placeOf(const GreyVolume& volume, const Reading& reading) {
   const FrameAxes meant = axesIn(reading.frame.value_or(Frame::lps), volume.onlySideOpen);
   const double sideways = spoken.left == meant.left ? 1.0 : -1.0;
   const double backward = spoken.posterior == meant.posterior ? 1.0 : -1.0;
+  const double unit = reading.unit / statedMillimetres(volume.unitReason);
   glm::dmat4 place = volume.toLps;
   for (int column = 0; column < 4; ++column) {
-    place[column].x *= sideways * reading.unit;
-    place[column].y *= backward * reading.unit;
-    place[column].z *= reading.unit;
+    place[column].x *= sideways * unit;
+    place[column].y *= backward * unit;
+    place[column].z *= unit;
   }
   return place;
 }
@@ -59,8 +62,7 @@ std::string textOf(const std::string& name, const glm::ivec3& size, const glm::d
   const double bytes = 2.0 * double(size.x) * double(size.y) * double(size.z);
   std::ostringstream text;
   text << name << ", " << size.x << " × " << size.y << " × " << size.z << " voxels of ";
-  text.precision(3);
-  text << side.x << " × " << side.y << " × " << side.z << " mm, ";
+  text << toldSize(side) << ", ";
   text.precision(6);
   text << std::max(0.1, std::round(bytes / 1e5) / 10.0) << " MB unpacked";
   return text.str();

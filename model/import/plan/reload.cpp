@@ -116,6 +116,9 @@ struct FileNow {
 Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& options) {
   if (raw.molecule)
     return Error{.reason = "a molecule may have been laid over another one; import both again"};
+  // Older scenes called what their readers had turned into millimetres a millimetre.
+  if (isUnitStated(as.unitReason))
+    as.mmPerUnit = raw.millimetresPerUnit;
   as.repairedFaces = repair(raw.positions, raw.triangles).faces();
   if (raw.triangles.empty())
     return Error{.reason = "it has no face with area any more"};

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <tuple>
 
 #include "model/anatomy/expected_sizes.h"
 #include "model/scene/known_frame.h"
+#include "model/scene/told_length.h"
 
 namespace sline::model {
 
@@ -68,10 +68,7 @@ float rounded(float millimetres) {
 }
 
 std::string shortText(float value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return value >= 1000.0f ? std::to_string(std::lround(value)) : text.str();
+  return toldNumber(double(value));
 }
 
 /// A structure whose name tells how large it is.
@@ -92,6 +89,16 @@ std::size_t fitting(const NamedSizes& sizes, float factor) {
 bool isFarBeyond(const NamedSize& size) {
   return size.extent < size.expected.low / farBeyond ||
          size.extent > size.expected.high * farBeyond;
+}
+
+/// Tells whether most of the structures are ten times too large or too small, or more: whatever a
+/// file states, that is no measure of what they are called.
+bool contradicted(const NamedSizes& sizes) {
+  constexpr float factor = 10.0f;
+  const auto off = std::count_if(sizes.begin(), sizes.end(), [](const NamedSize& size) {
+    return size.extent * factor <= size.expected.low || size.extent >= factor * size.expected.high;
+  });
+  return 2 * std::size_t(off) > sizes.size();
 }
 
 /// Returns what speaks against the unit; nothing where most sizes are right, or no other unit makes
@@ -198,8 +205,9 @@ class UnitDecision {
     doubt.name = m_parts[wrong->part].name;
     doubt.extent = wrong->extent;
     doubt.expected = wrong->expected;
-    if (isStated(m_parts[wrong->part])) {
+    if (isStated(m_parts[wrong->part]))
       doubt.stated = m_parts[wrong->part].raw.unitReason;
+    if (!doubt.stated.empty() && !contradicted(sizes)) {
       m_report.warnings.push_back({doubt.file, doubt.text()});
       return;
     }

@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/parallel.h"
+#include "model/import/source/stated_unit.h"
 #include "model/import/volumes/label_mesh.h"
 #include "model/import/volumes/net_relaxation.h"
 #include "model/import/volumes/surface_net.h"
@@ -100,12 +101,26 @@ class Surfacer {
       else if (!sheets.quadsOf(i + 1).empty()) {
         all[i] = mesh(net, sheets, labelMesh(m_box, net, sheets, i + 1, at), m_volume.labels[i]);
         all[i].voxelVolume = double(counts[i + 1]) * voxel;
+        toFileUnit(all[i]);
       }
     });
     if (stopped)
       return cancelled();
     std::erase_if(all, [](const RawMesh& mesh) { return mesh.triangles.empty(); });
     return RawMeshes{std::move(all), {}};
+  }
+
+  /// Gives the surface, which was made in millimetres, in the unit that the file's header states.
+  static void toFileUnit(RawMesh& mesh) {
+    const double unit = statedMillimetres(mesh.unitReason);
+    if (unit == 1.0)
+      return;
+    mesh.millimetresPerUnit = float(unit);
+    for (glm::vec3& p : mesh.positions)
+      p = glm::vec3(glm::dvec3(p) / unit);
+    mesh.displacement = float(double(mesh.displacement) / unit);
+    mesh.sliceDistance = float(double(mesh.sliceDistance) / unit);
+    *mesh.voxelVolume /= unit * unit * unit;
   }
 
   /// Returns how many voxels each label has, the background first.

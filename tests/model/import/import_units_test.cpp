@@ -52,6 +52,8 @@ class ImportUnitsTest : public QObject {
   void oneFileAmongOthers();
   void smallPartsOfAScanAreNoDoubt();
   void whatIsStatedIsNoDoubt();
+  void whatIsStatedMayBeContradicted_data();
+  void whatIsStatedMayBeContradicted();
   void moleculesBesideOrgansAreTold();
   void whatIsChosenIsSettled();
   void planOffersTheUnits();
@@ -183,6 +185,48 @@ void ImportUnitsTest::whatIsStatedIsNoDoubt() {
   QVERIFY(drawnUnit(imported->scene) == DrawnUnit::millimetre);
   const QString told = test::warningsOf(*imported);
   QVERIFY2(told.contains("its unit is stated (DICOM: millimetres)"), qPrintable(told));
+}
+
+/// A header's unit is followed; where no size fits it by far, whoever sees a length sees the doubt.
+void ImportUnitsTest::whatIsStatedMayBeContradicted_data() {
+  QTest::addColumn<QByteArray>("unit");
+  QTest::addColumn<float>("millimetres");
+  QTest::addColumn<bool>("doubted");
+  QTest::newRow("micrometres") << QByteArray("um") << 0.001f << true;
+  QTest::newRow("millimetres") << QByteArray("mm") << 1.0f << false;
+  QTest::newRow("centimetres") << QByteArray("cm") << 10.0f << false;
+  QTest::newRow("metres") << QByteArray("m") << 1000.0f << true;
+}
+
+void ImportUnitsTest::whatIsStatedMayBeContradicted() {
+  QFETCH(QByteArray, unit);
+  QFETCH(float, millimetres);
+  QFETCH(bool, doubted);
+  const QTemporaryDir folder;
+  QByteArray file =
+      "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
+      "space directions: (30,0,0) (0,30,0) (0,0,30)\nspace origin: (0,0,0)\nspace units: \"" +
+      unit + "\" \"" + unit + "\" \"" + unit +
+      "\"\nencoding: ascii\nSegment0_ID:=a\nSegment0_Name:=liver\nSegment0_LabelValue:=1\n\n";
+  for (int i = 0; i < 512; ++i)
+    file += i % 8 > 0 && i % 8 < 7 && i / 8 % 8 > 0 && i / 8 % 8 < 7 && i / 64 > 0 && i / 64 < 7
+                ? "1 "
+                : "0 ";
+  test::writeText(folder.filePath("liver.seg.nrrd"), file);
+  const auto imported = importInputs(std::array{pathOf(folder)}, {});
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  const Node& liver = test::named(imported->scene, "liver");
+  QCOMPARE(liver.provenance.mmPerUnit, millimetres);
+  const float extent = liver.mesh->bounds().size().x;
+  QVERIFY2(std::abs(extent / millimetres - 180.0f) < 30.0f,
+           qPrintable(QString::number(double(extent))));
+  QCOMPARE(isUnitDoubted(liver.provenance), doubted);
+  QCOMPARE(drawnUnit(imported->scene) == DrawnUnit::doubtedMillimetre, doubted);
+  // What a person says is of the file's own numbers.
+  const auto chosen = importInputs(std::array{pathOf(folder)}, {.unit = 1.0f});
+  QVERIFY(chosen.ok());
+  QVERIFY(std::abs(extentOf(chosen->scene, "liver") - 180.0f) < 30.0f);
+  QVERIFY(drawnUnit(chosen->scene) == DrawnUnit::millimetre);
 }
 
 void ImportUnitsTest::moleculesBesideOrgansAreTold() {

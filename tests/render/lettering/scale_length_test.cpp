@@ -21,6 +21,14 @@ class ScaleLengthTest : public QObject {
     QTest::newRow("1.9") << 1.9 << 1.0;
     QTest::newRow("2") << 2.0 << 2.0;
     QTest::newRow("4.99") << 4.99 << 2.0;
+    QTest::newRow("a tenth") << 0.1 << "0.1 mm"
+                             << "0,1 mm";
+    QTest::newRow("0.05") << 0.05 << "50 µm"
+                          << "50 µm";
+    QTest::newRow("0.002") << 0.002 << "2 µm"
+                           << "2 µm";
+    QTest::newRow("0.0000005") << 0.0000005 << "0.5 nm"
+                               << "0,5 nm";
     QTest::newRow("5") << 5.0 << 5.0;
     QTest::newRow("9.9") << 9.9 << 5.0;
     QTest::newRow("70") << 70.0 << 50.0;
@@ -69,6 +77,14 @@ class ScaleLengthTest : public QObject {
     QTest::addColumn<QString>("german");
     QTest::newRow("half") << 0.5 << "0.5 mm"
                           << "0,5 mm";
+    QTest::newRow("a tenth") << 0.1 << "0.1 mm"
+                             << "0,1 mm";
+    QTest::newRow("0.05") << 0.05 << "50 µm"
+                          << "50 µm";
+    QTest::newRow("0.002") << 0.002 << "2 µm"
+                           << "2 µm";
+    QTest::newRow("0.0000005") << 0.0000005 << "0.5 nm"
+                               << "0,5 nm";
     QTest::newRow("5") << 5.0 << "5 mm"
                        << "5 mm";
     QTest::newRow("10") << 10.0 << "1 cm"
@@ -91,6 +107,7 @@ class ScaleLengthTest : public QObject {
       return lengthText(millimetres, english, model::DrawnUnit::doubtedMillimetre);
     };
     QCOMPARE(text(5.0), QStringLiteral("5 mm?"));
+    QCOMPARE(text(0.05), QStringLiteral("50 µm?"));
     QCOMPARE(text(200.0), QStringLiteral("20 cm?"));
     QCOMPARE(text(2000.0), QStringLiteral("2 m?"));
   }

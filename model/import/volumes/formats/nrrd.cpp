@@ -146,7 +146,11 @@ class NrrdReader {
     m_file.frame = ofSlicerRt ? std::optional(Frame::ras) : space->frame;
     m_file.frameReason = ofSlicerRt ? "SlicerRT's segmentations are RAS"
                                     : "space: " + std::string(m_header.field("space"));
-    m_file.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
+    m_file.unitReason = unit == 1000.0  ? "header: metres"
+                        : unit == 10.0  ? "header: centimetres"
+                        : unit == 0.001 ? "header: micrometres"
+                        : unit > 0.0    ? "header: millimetres"
+                                        : "volumes are in millimetres";
     return Unit{};
   }
 
