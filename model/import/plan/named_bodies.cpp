@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 struct NamedBody {
   std::set<std::string> organs;  ///< what the files' names may show
   std::vector<fs::path> files;
+  std::size_t index = 0;
 };
 
 bool isWrittenLikeAName(const std::string& word) {
@@ -30,19 +31,35 @@ bool isWrittenLikeAName(const std::string& word) {
                       [](char c) { return isUpper(c) || isDigit(c); });
 }
 
-/// Returns the words of the file's name and of its folders' that may be a person's.
-std::set<std::string> ownersWords(const SourceFile& file) {
-  std::set<std::string> words;
-  const auto take = [&words](const std::string& name) {
+/// Finds the words of files' names and of their folders' that may be a person's. Numbers alone are
+/// no one's name.
+class OwnersWords {
+ public:
+  std::set<std::string> of(const SourceFile& file) {
+    std::set<std::string> words = in(stemOf(file.file));
+    add(words, file.file.parent_path().filename().string());
+    for (const std::string& folder : file.folders)
+      add(words, folder);
+    return words;
+  }
+
+ private:
+  static std::set<std::string> in(const std::string& name) {
+    std::set<std::string> words;
     for (std::string& word : wordsNotShown(readableName(name)))
-      words.insert(std::move(word));
-  };
-  take(stemOf(file.file));
-  take(file.file.parent_path().filename().string());
-  for (const std::string& folder : file.folders)
-    take(folder);
-  return words;
-}
+      if (!std::all_of(word.begin(), word.end(), isDigit))
+        words.insert(std::move(word));
+    return words;
+  }
+  void add(std::set<std::string>& words, const std::string& folder) {
+    const auto [known, isNew] = m_folders.try_emplace(folder);
+    if (isNew)
+      known->second = in(folder);
+    words.insert(known->second.begin(), known->second.end());
+  }
+
+  std::map<std::string, std::set<std::string>> m_folders;  ///< as many files lie in each
+};
 
 /// Tells whether two bodies have so much in common that they are two.
 bool areTwo(const std::set<std::string>& one, const NamedBody& a,
@@ -68,30 +85,45 @@ bool areTwo(const std::set<std::string>& one, const NamedBody& a,
 }  // namespace
 
 std::vector<PatientFiles> bodiesByName(const Sources& sources, const std::set<fs::path>& marked) {
-  std::map<std::set<std::string>, NamedBody> bodies;
-  std::vector<const std::set<std::string>*> order;
+  using Bodies = std::map<std::set<std::string>, NamedBody>;
+  Bodies bodies;
+  OwnersWords owners;
+  std::vector<Bodies::const_pointer> order;
+  std::map<std::string, std::vector<std::size_t>> having;  ///< which bodies have an organ
   for (const SourceFile& file : sources.files) {
     if (file.model || file.slice || isEntryFile(file.file) || marked.contains(file.file))
       continue;
+    const std::set<std::string> words = owners.of(file);
+    if (words.empty())
+      continue;
     const std::string organ = lowerCase(shownFileName(stemOf(file.file)));
-    const std::set<std::string> words = ownersWords(file);
-    if (organ.empty() || words.empty())
+    if (organ.empty())
       continue;
     const auto [body, isNew] = bodies.try_emplace(words);
-    if (isNew)
-      order.push_back(&body->first);
-    body->second.organs.insert(organ);
+    if (isNew) {
+      body->second.index = order.size();
+      order.push_back(&*body);
+    }
+    if (body->second.organs.insert(organ).second)
+      having[organ].push_back(body->second.index);
     body->second.files.push_back(file.file);
   }
-  // Whoever has organs that another has as well is one of several.
+  // Whoever has organs that another has as well is one of several. What nearly everybody has is
+  // what their makers call things.
+  constexpr std::size_t mostPatients = 50;
+  std::vector<bool> several(order.size());
+  for (const auto& [organ, who] : having)
+    for (std::size_t i = 0; i < who.size() && who.size() <= mostPatients; ++i)
+      for (std::size_t k = i + 1; k < who.size(); ++k) {
+        const auto& [one, a] = *order[who[i]];
+        const auto& [other, b] = *order[who[k]];
+        if (areTwo(one, a, other, b))
+          several[who[i]] = several[who[k]] = true;
+      }
   std::vector<PatientFiles> apart;
-  for (const std::set<std::string>* one : order) {
-    const auto isOther = [&](const std::set<std::string>* other) {
-      return other != one && areTwo(*one, bodies.at(*one), *other, bodies.at(*other));
-    };
-    if (std::any_of(order.begin(), order.end(), isOther))
-      apart.push_back({bodies.at(*one).files});
-  }
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (several[i])
+      apart.push_back({order[i]->second.files});
   return apart;
 }
 
