@@ -9,7 +9,6 @@
 
 #include "render/labels/layouter.h"
 #include "render/labels/steady_column.h"
-#include "render/labels/untangled_column.h"
 
 namespace sline::render {
 
@@ -260,8 +259,7 @@ void Layouter::placeColumn(LabelPost post) {
   if (!fitIn(airy, items))
     airy.gap = columnGap;
   uncross(airy, items);
-  const std::vector<ColumnPlacement> places =
-      m_bending ? untangled(airy, items) : placesIn(airy, items);
+  const std::vector<ColumnPlacement> places = placesIn(airy, items);
   for (std::size_t k = 0; k < items.size(); ++k)
     put(items[k], post, places[k]);
 }

@@ -36,43 +36,19 @@ void Layouter::setRanks() {
 }
 
 LabelLayout Layouter::layOut() {
-  if (follows() || m_request.still) {
-    setColumns();
-    choosePosts();
-    widen();
-    settle();
-    return answer();
-  }
-  const Standing straight = settleAnew();
-  if (!m_strained)
-    return answer();
-  // Where straight leaders made labels give way, those that bend at once may keep more of them.
-  Layouter bending(m_request, m_before, m_home);
-  bending.m_bending = true;
-  return bending.settleAnew() > straight ? bending.answer() : answer();
-}
-
-Layouter::Standing Layouter::settleAnew() {
   setColumns();
   choosePosts();
   const std::vector<Fate> chosen = m_fates;
   widen();
   settle();
-  if (narrow())
-    settle();
-  comeBack(chosen);
-  if (m_request.drawn)
-    fillEdges();
-  Standing standing;
-  for (std::size_t i = 0; i < m_fates.size(); ++i) {
-    if (m_fates[i].out || !m_placed[i])
-      continue;
-    standing.focus += item(i).focus ? 1 : 0;
-    standing.seen += item(i).hidden ? 0 : 1;
-    ++standing.labels;
-    standing.onTheirSides += m_fates[i].post == chosen[i].post ? 1 : 0;
+  if (!follows() && !m_request.still) {
+    if (narrow())
+      settle();
+    comeBack(chosen);
+    if (m_request.drawn)
+      fillEdges();
   }
-  return standing;
+  return answer();
 }
 
 void Layouter::settle() {
@@ -83,7 +59,6 @@ void Layouter::settle() {
     const std::optional<std::size_t> loser = firstLoser();
     if (!loser)
       break;
-    m_strained = true;
     giveWay(*loser);
   }
 }

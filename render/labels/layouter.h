@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <optional>
 #include <vector>
 
@@ -80,16 +79,6 @@ class Layouter {
   /// Tells whether the box is wider than half of the frame, which is each column's share. One label
   /// takes more only where no narrower one stands.
   bool tooWide(std::size_t i) const { return item(i).box.x > 0.5f * m_frame.size().x; }
-  /// How many labels stand; more is better, those of the first members above all.
-  struct Standing {
-    std::size_t focus = 0;  ///< those of what is in focus
-    std::size_t seen = 0;   ///< those whose place is not hidden
-    std::size_t labels = 0;
-    std::size_t onTheirSides = 0;
-    auto operator<=>(const Standing&) const = default;
-  };
-  /// Chooses posts and places for all labels, from no layout before.
-  Standing settleAnew();
   /// Places all items, and lets those give way that are in conflict, until none is.
   void settle();
   /// Lets those that gave way come back on the sides that were chosen for them, where that has
@@ -156,9 +145,8 @@ class Layouter {
   std::array<float, 2> m_widths{};
   std::array<Span, 2> m_across{};                ///< between which x columns were when it was found
   std::array<std::vector<Span>, 2> m_overDrawn;  ///< at which heights they lie over what is drawn
-  bool m_bending = false;   ///< leaders of columns bend where straight ones are in the way
-  bool m_strained = false;  ///< a label gave way to another
-  bool m_crowded = false;   ///< more than fit: none goes across for the sake of another
+  bool m_bending = false;  ///< leaders of columns are bent, so that left out labels find room
+  bool m_crowded = false;  ///< more than fit: none goes across for the sake of another
   float m_middle = 0.0f;
   float m_width = 0.0f;              ///< that of the anatomy
   std::vector<std::size_t> m_wide;   ///< those that wait for a column without narrower labels
