@@ -225,7 +225,6 @@ class FilmLabelsTest : public QObject {
     QTest::addColumn<QString>("file");
     QTest::newRow("abdomen") << "abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
     QTest::newRow("pelvis") << "pelvis/bodyparts3d";
-    QTest::newRow("male pelvis") << "pelvis/hra_vh_male";
   }
   void turningAtlas() {
     QFETCH(QString, file);
@@ -346,7 +345,6 @@ class FilmLabelsTest : public QObject {
       QTest::addRow("sweep, %s", name) << int(Motion::gammaSweep) << int(demo);
     }
     QTest::newRow("turntable, kidney") << int(Motion::turntable) << int(model::DemoName::kidney);
-    QTest::newRow("turntable, abdomen") << int(Motion::turntable) << int(model::DemoName::abdomen);
   }
   void leadersEndOnWhatTheyName() {
     QFETCH(int, motion);
