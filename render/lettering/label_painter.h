@@ -28,6 +28,7 @@ struct LabelTurn {
   bool still = false;                   ///< as in LabelRequest
   std::array<float, 2> widths{};        ///< as in LabelRequest
   const SeenArea* drawn = nullptr;      ///< as in LabelRequest
+  bool anywhere = false;  ///< over anatomy, too: who is asked must not miss what has no ground
 };
 
 /// Holds what a picture's labels go by before they are laid out.

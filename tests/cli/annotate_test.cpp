@@ -275,7 +275,10 @@ void AnnotateTest::kinds() {
 /// Returns the length that the list has for the only distance, mm; 0 where it has none.
 double listedLength(const QByteArray& list) {
   const qsizetype at = list.indexOf("mm=");
-  return at < 0 ? 0.0 : list.mid(at + 3).split('\n').front().split('\t').front().toDouble();
+  QByteArray length = at < 0 ? "0" : list.mid(at + 3).split('\n').front().split('\t').front();
+  if (length.endsWith('?'))
+    length.chop(1);  // a liver of 20 mm has perhaps another unit
+  return length.toDouble();
 }
 
 void AnnotateTest::distances_data() {

@@ -145,7 +145,8 @@ class HelpTest : public QObject {
     const model::Scene before = f.session.scene();
     widgets::HelpWindow help;
     help.show();
-    QVERIFY(QTest::qWaitForWindowActive(&help));
+    QVERIFY(QTest::qWaitForWindowExposed(&help));
+    QApplication::setActiveWindow(&help);  // there is no window manager to do it
     auto* search = help.findChild<QLineEdit*>(QStringLiteral("helpSearch"));
     search->setFocus();
     QTest::keyClicks(search, QStringLiteral("zebras"));

@@ -125,7 +125,7 @@ class Cards {
     sheet.order.words = {};  // they might tell the answers
     if (!title.empty())
       sheet.order.marks.viewName = false;  // its deck is called so
-    const FigurePlate plate = figurePlate(sheet.order, m_trees);
+    const FigurePlate plate = figurePlate(sheet.order, m_trees, {.anywhere = true});
     sheet.named = *plate.labels;
     for (ExportNote note : plate.notes) {
       if (note.kind == ExportNote::Kind::labelsWithoutRoom)

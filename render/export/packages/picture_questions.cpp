@@ -119,7 +119,7 @@ class SheetMaker {
     progress.note(m_asked.notes);
     if (m_asked.questions.empty())
       return sheet;
-    const FigurePlate plate = figurePlate(m_order, m_trees);
+    const FigurePlate plate = figurePlate(m_order, m_trees, {.anywhere = true});
     for (ExportNote note : plate.notes) {
       if (note.kind == ExportNote::Kind::labelsWithoutRoom)
         note.kind = ExportNote::Kind::cardsWithoutRoom;

@@ -97,7 +97,7 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   if (drawn && plate.marks.cutOff)
     drawn = areaAbove(std::move(*drawn), plate.marks.cutOff->low.y);
   LabelTurn beside = turn;
-  beside.drawn = drawn ? &*drawn : nullptr;
+  beside.drawn = drawn && !turn.anywhere ? &*drawn : nullptr;
   plate.labels = labelPlate(order.scene, screen, style, trees, beside);
   if (beside.drawn && mostAreOut(*plate.labels)) {
     // Where anatomy fills the picture there is no ground beside it: rather than not at all labels
