@@ -187,22 +187,19 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   if (before)
     if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
       return stays;
-  const auto spotOf = [&](auto&& is, bool firm) {
+  const auto counted = [&](auto&& is, bool firm) {
     std::vector<bool> counts(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
-    return deepest(counts, all.columns, all.rows);
+    return counts;
+  };
+  const auto spotOf = [&](auto&& is, bool firm) {
+    return deepest(counted(is, firm), all.columns, all.rows);
   };
   std::optional<glm::vec2> towards;  // in cells
   if (const std::optional<glm::vec3> p = near && before ? m_scene.placeOf(*before) : std::nullopt)
     if (const std::optional<glm::vec2> was = m_screen.place(*p))
       towards = *was / m_grid.side - glm::vec2(float(all.left), float(all.top)) - 0.5f;
-  const auto nearSpot = [&](auto&& is, bool firm, float room) {
-    std::vector<bool> counts(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
-    return nearest(counts, all.columns, room, *towards);
-  };
   constexpr float roomForDot = 4.5f;  // λ
   const float enough = roomForDot * lambda() / m_grid.side;
   if (onFace) {
@@ -214,14 +211,14 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   }
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
   constexpr float cornerShare = 0.4f;
-  const auto isPlain = [](Worth worth) { return worth >= Worth::most; };
-  const auto plain = spotOf(isPlain, false);
+  const auto plain = spotOf([](Worth worth) { return worth >= Worth::most; }, false);
   const float ownRoom = plain ? cornerShare * plain->depth : 0.0f;
   for (const Worth worth : {Worth::alone, Worth::most}) {
     const auto is = [worth](Worth one) { return one >= worth; };
     const float room = worth == Worth::alone ? std::max(enough, ownRoom) : enough;
     for (const bool firm : {true, false})
-      if (const auto spot = towards ? nearSpot(is, firm, room) : spotOf(is, firm);
+      if (const auto spot =
+              towards ? nearest(counted(is, firm), all.columns, room, *towards) : spotOf(is, firm);
           spot && spot->depth >= room && shows(*spot))
         return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }

@@ -113,8 +113,8 @@ class GroundsTest : public QObject {
     if (QStandardPaths::findExecutable("pdftocairo").isEmpty())
       SLINE_ABSENT("poppler-utils are not installed");
     const auto drawn = [&](const QString& ground) {
-      const QByteArray pdf = exported("pdf", {"--labels", "on", "--background", ground, "--gamma",
-                                              "1", "--fill", "none"});
+      const QByteArray pdf = exported(
+          "pdf", {"--labels", "on", "--background", ground, "--gamma", "1", "--fill", "none"});
       QProcess reader;
       reader.start("pdftocairo", {"-png", "-transp", "-r", "150", "-singlefile",
                                   path("picture.pdf"), path("page")});

@@ -98,8 +98,7 @@ class SidesBarTest : public QObject {
     QVERIFY(!f.control<QPushButton>("sidesRightButton").isVisible());
     // The bar goes with what it tells, and comes back with it.
     const model::NodeId kidney = f.session.scene().named("left kidney").front();
-    QVERIFY(f.session.apply("Rename",
-                            model::renamed(f.session.scene(), kidney, "right kidney")));
+    QVERIFY(f.session.apply("Rename", model::renamed(f.session.scene(), kidney, "right kidney")));
     QTRY_VERIFY(!bar.isVisible());
     f.session.undo();
     QTRY_VERIFY(bar.isVisible());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/annotation_texts.h"
 
-
 #include "model/scene/markup.h"
 #include "model/scene/shortest_distance.h"
 #include "render/lettering/label_texts.h"

@@ -43,6 +43,33 @@ QString listed(const render::ExportNote& note) {
              : list;
 }
 
+/// Returns the same of what holds for the file as a whole.
+QString factOfFile(render::ExportNote::Kind kind) {
+  using Kind = render::ExportNote::Kind;
+  switch (kind) {
+    case Kind::standsOnWhite:
+      return tr("What is transparent stands on white.");
+    case Kind::depthNotKept:
+      return tr("This kind has fewer bits than were chosen.");
+    case Kind::filmRounded:
+      return tr("The film is %1 pixels large, as its sides are even numbers.");
+    case Kind::filmStretched:
+      return tr("The film takes %1 seconds, as it has whole pictures alone.");
+    case Kind::pageLarge:
+      return tr("The page has %1 million triangles, too many for telephones.");
+    case Kind::pageSimplified:
+      return tr("Surfaces are simplified and off by %1 mm at most, which the page says.");
+    case Kind::creditsLeftOut:
+      return tr("The file does not say whose work its surfaces are, as their terms ask: %1.");
+    case Kind::subtitlesEmpty:
+      return tr("The subtitles are empty, as no view says anything.");
+    case Kind::quizEmpty:
+      return tr("The quiz asks nothing, as no label is to be asked for.");
+    default:
+      return {};
+  }
+}
+
 /// Returns the fact alone, without what to do; `%1` stands for the names.
 QString fact(const render::ExportNote& note) {
   using Kind = render::ExportNote::Kind;
@@ -85,26 +112,9 @@ QString fact(const render::ExportNote& note) {
     case Kind::noiseNotDrawn:
       return tr("%n structures are drawn without noise, which is made of pixels: %1.", nullptr,
                 count);
-    case Kind::standsOnWhite:
-      return tr("What is transparent stands on white.");
-    case Kind::depthNotKept:
-      return tr("This kind has fewer bits than were chosen.");
-    case Kind::filmRounded:
-      return tr("The film is %1 pixels large, as its sides are even numbers.");
-    case Kind::filmStretched:
-      return tr("The film takes %1 seconds, as it has whole pictures alone.");
-    case Kind::pageLarge:
-      return tr("The page has %1 million triangles, too many for telephones.");
-    case Kind::pageSimplified:
-      return tr("Surfaces are simplified and off by %1 mm at most, which the page says.");
-    case Kind::creditsLeftOut:
-      return tr("The file does not say whose work its surfaces are, as their terms ask: %1.");
-    case Kind::subtitlesEmpty:
-      return tr("The subtitles are empty, as no view says anything.");
-    case Kind::quizEmpty:
-      return tr("The quiz asks nothing, as no label is to be asked for.");
+    default:
+      return factOfFile(note.kind);
   }
-  return {};
 }
 
 QString remedy(render::ExportNote::Kind kind) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/geometry/extent.h"
+#include "widgets/session/other_sides.h"
 #include "widgets/session/session.h"
 
 class QFormLayout;

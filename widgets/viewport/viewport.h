@@ -196,7 +196,6 @@ class Viewport : public QWidget, public ViewControl {
   std::uint64_t m_askedAtOpening = 0;  ///< the first picture of the thread that draws
   bool m_rebuilt = false;              ///< since the last picture that was drawn
   std::optional<Error> m_failure;      ///< why the last one was not, as it was told
-
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
   render::Background m_background = render::Background::paper;

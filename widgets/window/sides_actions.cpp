@@ -12,6 +12,7 @@
 #include <array>
 
 #include "model/scene/known_frame.h"
+#include "widgets/session/other_sides.h"
 #include "widgets/text/told.h"
 
 namespace sline::widgets {

@@ -39,7 +39,7 @@ class SidesActions : public QObject {
   QPointer<QFrame> m_bar;  ///< the central widget may go first
   QLabel* m_question = nullptr;
   std::array<QPushButton*, 3> m_answers{};  ///< by SideAnswer
-  int m_closedFor = 0;  ///< the opening whose bar was closed by hand
+  int m_closedFor = 0;                      ///< the opening whose bar was closed by hand
 };
 
 }  // namespace sline::widgets

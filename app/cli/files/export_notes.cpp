@@ -103,9 +103,7 @@ std::string pageText(const render::ExportNote& note) {
          "annotate`, or give --quiz off";
 }
 
-}  // namespace
-
-std::string textOf(const render::ExportNote& note) {
+std::string labelsText(const render::ExportNote& note) {
   using Kind = render::ExportNote::Kind;
   const std::size_t count = note.names.size();
   const std::string names = ": " + listed(note.names) + ". ";
@@ -127,6 +125,24 @@ std::string textOf(const render::ExportNote& note) {
       return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
              " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +
              "Add one with `sline annotate`, or choose another --language";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string textOf(const render::ExportNote& note) {
+  using Kind = render::ExportNote::Kind;
+  const std::size_t count = note.names.size();
+  const std::string names = ": " + listed(note.names) + ". ";
+  switch (note.kind) {
+    case Kind::labelsWithoutRoom:
+    case Kind::labelsOfHidden:
+    case Kind::labelsOffPage:
+    case Kind::labelsHidden:
+    case Kind::labelsUntranslated:
+      return labelsText(note);
     case Kind::labelsNotAsked:
     case Kind::cardsWithoutRoom:
       return askedText(note);
