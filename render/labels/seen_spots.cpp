@@ -166,6 +166,11 @@ std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Ancho
   return SeenPlace{before, *place, false};
 }
 
+namespace {
+constexpr float roomForDot = 4.5f;   // λ
+constexpr float cornerShare = 0.4f;  // of the room that a structure has elsewhere
+}  // namespace
+
 std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
                                        const std::optional<model::Anchor>& before,
                                        bool near) const {
@@ -184,9 +189,8 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
            all.worth[spot.cell] == Worth::alone || fine().dotLiesOn(all.layer, middle);
   };
   const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda() && shows(*face);
-  if (before)
-    if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
-      return stays;
+  if (auto stays = before ? kept(all, *before, onFace) : std::nullopt)
+    return stays;
   const auto counted = [&](auto&& is, bool firm) {
     std::vector<bool> counts(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -200,7 +204,6 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   if (const std::optional<glm::vec3> p = near && before ? m_scene.placeOf(*before) : std::nullopt)
     if (const std::optional<glm::vec2> was = m_screen.place(*p))
       towards = *was / m_grid.side - glm::vec2(float(all.left), float(all.top)) - 0.5f;
-  constexpr float roomForDot = 4.5f;  // λ
   const float enough = roomForDot * lambda() / m_grid.side;
   if (onFace) {
     auto spot =
@@ -210,7 +213,6 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
     return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
-  constexpr float cornerShare = 0.4f;
   const auto plain = spotOf([](Worth worth) { return worth >= Worth::most; }, false);
   const float ownRoom = plain ? cornerShare * plain->depth : 0.0f;
   for (const Worth worth : {Worth::alone, Worth::most}) {
@@ -225,8 +227,7 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before, near);
   if (dot && !dot->hidden)
     return dot;
-  const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false);
-  if (ground)
+  if (const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false))
     return placeAt(m_layers[all.layer], all.x(ground->cell), all.y(ground->cell), false);
   return dot;
 }
