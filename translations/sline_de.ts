@@ -1855,6 +1855,14 @@
         <source>there is no such member in the file</source>
         <translation>die Datei enthält keinen solchen Teil</translation>
     </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>der Grafiktreiber hat verloren, was er gezeichnet hatte</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>der Grafiktreiber hat keinen Speicher mehr für das Bild</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5723,6 +5731,22 @@
     <message>
         <source>another than its name says</source>
         <translation>eine andere, als der Name sagt</translation>
+    </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Die Datei sagt nicht, von wem ihre Flächen sind, was deren Lizenz verlangt: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>Die Untertitel sind leer, denn keine Ansicht sagt etwas.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>Lassen Sie es in einer Zeile nennen, oder nennen Sie es dort, wo die Datei erscheint.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Schreiben Sie, was Ansichten sagen.</translation>
     </message>
 </context>
 <context>

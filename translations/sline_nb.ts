@@ -1855,6 +1855,14 @@
         <source>there is no such member in the file</source>
         <translation>filen inneholder ingen slik del</translation>
     </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>grafikkdriveren har mistet det den hadde tegnet</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>grafikkdriveren har ikke mer minne til bildet</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5723,6 +5731,22 @@
     <message>
         <source>another than its name says</source>
         <translation>en annen enn navnet sier</translation>
+    </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Filen sier ikke hvem flatene er laget av, slik lisensen deres krever: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>Undertekstene er tomme, for ingen visning sier noe.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>La det stå på en linje, eller si det der filen blir publisert.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Skriv hva visningene sier.</translation>
     </message>
 </context>
 <context>

@@ -1855,6 +1855,14 @@
         <source>there is no such member in the file</source>
         <translation>het bestand bevat geen zo’n onderdeel</translation>
     </message>
+    <message>
+        <source>the graphics driver has lost what it had drawn</source>
+        <translation>het grafische stuurprogramma is kwijt wat het had getekend</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no memory left for the picture</source>
+        <translation>het grafische stuurprogramma heeft geen geheugen meer voor het beeld</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5723,6 +5731,22 @@
     <message>
         <source>another than its name says</source>
         <translation>een andere dan de naam zegt</translation>
+    </message>
+    <message>
+        <source>The file does not say whose work its surfaces are, as their terms ask: %1.</source>
+        <translation>Het bestand zegt niet van wie de oppervlakken zijn, wat hun licentie vraagt: %1.</translation>
+    </message>
+    <message>
+        <source>The subtitles are empty, as no view says anything.</source>
+        <translation>De ondertitels zijn leeg, want geen enkel aanzicht zegt iets.</translation>
+    </message>
+    <message>
+        <source>Let it say them in a line, or say them where it is published.</source>
+        <translation>Laat het in een regel zeggen, of zeg het waar het bestand verschijnt.</translation>
+    </message>
+    <message>
+        <source>Write what views say.</source>
+        <translation>Schrijf wat aanzichten zeggen.</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,9 @@ struct SeenMap::Candidates {
 
 namespace {
 
+constexpr float roomForDot = 4.5f;   // λ
+constexpr float cornerShare = 0.4f;  // of the room that a structure has elsewhere
+
 struct Spot {
   std::size_t cell = 0;
   float depth = 0.0f;  ///< cells from where cells do not count
@@ -165,11 +168,6 @@ std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Ancho
     return std::nullopt;
   return SeenPlace{before, *place, false};
 }
-
-namespace {
-constexpr float roomForDot = 4.5f;   // λ
-constexpr float cornerShare = 0.4f;  // of the room that a structure has elsewhere
-}  // namespace
 
 std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
                                        const std::optional<model::Anchor>& before,
