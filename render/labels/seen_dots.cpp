@@ -3,7 +3,6 @@
 // an outline, on a narrow part, between others' lines.
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/labels/seen_map.h"
@@ -21,14 +20,12 @@ constexpr float strokesHere = 0.5f;
 // In λ, half a millimetre on a page of the usual height: whether a leader is dashed follows from
 // the picture, not from the paper that it is put on.
 constexpr float dotRadius = 1.9f;
-// How far one looks around a dot to see what it is on: radii.
-constexpr float lookedAround = 4.0f;
 // A curve may be drawn so many cells beside where it is here.
 constexpr float smoothed = 1.25f;
 
 }  // namespace
 
-/// Tells of each cell of a structure, or of some of them, what a dot there would lie on.
+/// Tells of each cell of a structure what a dot there would lie on.
 struct SeenMap::Dots {
   enum class Shows : std::uint8_t { ground, own, others };
   const SeenLayer& layer;
@@ -72,40 +69,12 @@ struct SeenMap::Dots {
   /// on, and not only what it covers: half as much as the dot itself; or nothing else is near.
   bool showsAround(int x, int y) const {
     constexpr float haloed = 1.7f;  // radii, with the light rim around the dot
-    constexpr float near = lookedAround;
+    constexpr float near = 4.0f;
     constexpr float half = 0.5f;
     constexpr float calm = 0.1f;
-    return disc(x, y, near * radius).others <= calm ||
-           ownBetween(x, y, haloed * radius, near * radius) >= half;
-  }
-  /// Returns how much of the structure shows between two circles around a cell, in dots.
-  float ownBetween(int x, int y, float inner, float outer) const {
-    constexpr float disc = 3.14159265f;
-    float own = 0.0f;
-    const int reach = int(outer);
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx) {
-        const auto far = float(dx * dx + dy * dy);
-        if (far > inner * inner && far <= outer * outer && holds(x + dx, y + dy) &&
-            shows[index(x + dx, y + dy)] == Shows::own)
-          own += 1.0f;
-      }
-    return own / (disc * radius * radius);
-  }
-  /// Returns the shares of a dot there, if it lies on the structure and on nothing else.
-  std::optional<Disc> clearAt(int x, int y) const {
-    constexpr float much = 0.5f;
-    constexpr float enough = 0.3f;
-    constexpr float calm = 0.1f;
-    constexpr float leads = 1.5f;  // where lines of two run together, either may be the one on top
-    if (!holds(x, y) || shows[index(x, y)] != Shows::own)
-      return std::nullopt;
-    const Disc dot = disc(x, y, radius);
-    if (dot.own < enough || dot.own < leads * dot.others)
-      return std::nullopt;
-    if (dot.own < much && disc(x, y, radius + smoothed).others > calm)
-      return std::nullopt;
-    return showsAround(x, y) ? std::optional(dot) : std::nullopt;
+    const Disc all = disc(x, y, near * radius);
+    return all.others <= calm ||
+           all.own * near * near - disc(x, y, haloed * radius).own * haloed * haloed >= half;
   }
   /// Returns the shares of a disc around a cell.
   Disc disc(int x, int y, float size) const {
@@ -131,34 +100,27 @@ struct SeenMap::Dots {
   }
 };
 
-SeenMap::Dots SeenMap::dots(std::uint32_t layer, const std::optional<glm::ivec2>& about) const {
+SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
   const SeenLayer& own = m_layers[layer];
-  glm::ivec2 low(own.left(), own.top());
-  glm::ivec2 high = low + glm::ivec2(own.columns(), own.rows());
-  if (about) {
-    const int reach = int(std::ceil(lookedAround * dotRadius * lambda() / m_grid.side)) + 1;
-    low = glm::clamp(*about - reach, low, high);
-    high = glm::clamp(*about + reach + 1, low, high);
-  }
   Dots dots{.layer = own,
-            .left = low.x,
-            .top = low.y,
-            .columns = high.x - low.x,
-            .rows = high.y - low.y,
+            .left = own.left(),
+            .top = own.top(),
+            .columns = own.columns(),
+            .rows = own.rows(),
             .shows = {},
             .traces = {},
             .inked = {},
             .rivals = {},
             .radius = dotRadius * lambda() / m_grid.side};
-  const std::size_t cells = std::size_t(dots.columns) * std::size_t(dots.rows);
+  const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
   dots.shows.assign(cells, Dots::Shows::ground);
   dots.traces.assign(cells, false);
   dots.inked.assign(cells, false);
   dots.rivals.assign(cells, false);
   constexpr float trace = 0.03f;
   constexpr float rivalling = 0.3f;
-  for (int y = low.y; y < high.y; ++y)
-    for (int x = low.x; x < high.x; ++x) {
+  for (int y = own.top(); y < own.top() + own.rows(); ++y)
+    for (int x = own.left(); x < own.left() + own.columns(); ++x) {
       const std::size_t i = dots.index(x, y);
       if (covered(x, y)) {
         dots.shows[i] = Dots::Shows::others;
@@ -237,18 +199,25 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
     if (const std::optional<glm::vec3> p = m_scene.placeOf(*before))
       was = m_screen.place(*p);
   constexpr float much = 0.5f;
+  constexpr float enough = 0.3f;
+  constexpr float calm = 0.1f;
   constexpr float tangled = 0.3f;
+  constexpr float leads = 1.5f;  // where lines of two run together, either may be the one on top
   const float dear = near ? 0.03f : 0.002f;  // a way of one cell
   const float wide = all.radius + smoothed;
   const auto clear = [&](int x, int y) -> std::optional<float> {
-    const std::optional<Dots::Disc> dot = all.clearAt(x, y);
-    if (!dot)
+    if (all.shows[all.index(x, y)] != Dots::Shows::own)
+      return std::nullopt;
+    const Dots::Disc dot = all.disc(x, y, all.radius);
+    if (dot.own < enough || dot.own < leads * dot.others)
       return std::nullopt;
     const Dots::Disc around = all.disc(x, y, wide);
+    if ((dot.own < much && around.others > calm) || !all.showsAround(x, y))
+      return std::nullopt;
     // A narrow strip is surest away from its ends.
     const float along = all.disc(x, y, 3.0f * all.radius).own;
     const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
-    return dot->own + 0.3f * (around.own + along - dot->rivals) - 0.6f * around.others -
+    return dot.own + 0.3f * (around.own + along - dot.rivals) - 0.6f * around.others -
            dear * std::min(far, 100.0f);
   };
   std::optional<glm::ivec2> best = all.best(clear);
@@ -276,18 +245,6 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   }
   const std::optional<glm::ivec2> place = hidden ? hidden : hiddenCell(all);
   return place ? std::optional(placeAt(all.layer, place->x, place->y, true)) : std::nullopt;
-}
-
-bool SeenMap::dotLiesOn(std::uint32_t layer, const glm::vec2& place) const {
-  const glm::ivec2 cell(glm::floor((place - m_grid.corner) / m_grid.side));
-  return dots(layer, cell).clearAt(cell.x, cell.y).has_value();
-}
-
-bool SeenMap::dotIsBare(std::uint32_t layer, const glm::vec2& place) const {
-  constexpr float calm = 0.1f;
-  const glm::ivec2 cell(glm::floor((place - m_grid.corner) / m_grid.side));
-  const Dots near = dots(layer, cell);
-  return near.disc(cell.x, cell.y, near.radius + smoothed).others <= calm;
 }
 
 std::optional<glm::ivec2> SeenMap::hiddenCell(const Dots& all) const {

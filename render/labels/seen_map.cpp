@@ -216,26 +216,22 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
 }
 
 bool SeenMap::hides(model::NodeId structure, const glm::vec3& p) const {
-  const std::optional<glm::ivec2> cell = ownCellAt(structure, p);
-  return !cell || worthOf(m_index.at(structure), cell->x, cell->y) <= Worth::hidden;
-}
-
-std::optional<glm::ivec2> SeenMap::ownCellAt(model::NodeId structure, const glm::vec3& p) const {
   const SeenLayer* layer = layerOf(structure);
   const std::optional<glm::vec2> place = m_screen.place(p);
   if (!layer || !place)
-    return std::nullopt;
+    return true;
   const int x = int(std::floor(place->x / m_grid.side));
   const int y = int(std::floor(place->y / m_grid.side));
   // A place at the very edge may lie in a cell whose middle is beside the surface.
-  std::optional<glm::ivec2> near;
+  std::optional<std::pair<int, int>> near;
   for (const auto& [dx, dy] :
        {std::pair(0, 0), std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)})
     if (!near && layer->covers(x + dx, y + dy))
-      near = glm::ivec2(x + dx, y + dy);
+      near = {x + dx, y + dy};
   if (!near)
-    return std::nullopt;
-  const SeenCell& cell = layer->at(near->x, near->y);
+    return true;
+  const std::uint32_t index = m_index.at(structure);
+  const SeenCell& cell = layer->at(near->first, near->second);
   // Its own nearer parts hide it, too, if they are nearer by more than 1/200 of its size.
   const float size = glm::length(layer->node().mesh->bounds().size());
   const model::Ray ray = m_screen.sight(*place);
@@ -244,25 +240,29 @@ std::optional<glm::ivec2> SeenMap::ownCellAt(model::NodeId structure, const glm:
   const bool behind = m_screen.place(nearer) && !cell.outline &&
                       cell.depth < m_screen.depthKey(nearer) - 0.5f * m_grid.side * 1e-6f &&
                       layer->fillOf(cell).cover > 0.5f;
-  return behind ? std::nullopt : near;
+  return behind || worthOf(index, near->first, near->second) <= Worth::hidden;
 }
 
 bool SeenMap::showsDot(model::NodeId structure, const glm::vec3& p) const {
-  if (!ownCellAt(structure, p))
+  constexpr float radius = 0.45f;  // of a dot, millimetres
+  constexpr int steps = 2;
+  constexpr float enough = 0.4f;
+  if (hides(structure, p))
     return false;
   const std::uint32_t index = m_index.at(structure);
   const glm::vec2 place = *m_screen.place(p);
-  const glm::ivec2 middle(glm::floor((place - m_grid.corner) / m_grid.side));
-  // Cells of which the dot touches one, and their neighbours.
-  constexpr int reach = 2;
-  Worth least = Worth::alone;
-  for (int y = middle.y - reach; y <= middle.y + reach; ++y)
-    for (int x = middle.x - reach; x <= middle.x + reach; ++x)
-      least = std::min(least, worthOf(index, x, y));
-  if (least >= Worth::most || fine().dotLiesOn(index, place))
-    return true;
-  // Within it, where nothing is drawn.
-  return worthOf(index, middle.x, middle.y) == Worth::ground && fine().dotIsBare(index, place);
+  int own = 0;
+  int all = 0;
+  for (int y = -steps; y <= steps; ++y)
+    for (int x = -steps; x <= steps; ++x) {
+      if (x * x + y * y > steps * steps)
+        continue;
+      const glm::vec2 at =
+          (place + radius / float(steps) * glm::vec2(x, y) - m_grid.corner) / m_grid.side;
+      ++all;
+      own += worthOf(index, int(std::floor(at.x)), int(std::floor(at.y))) > Worth::hidden ? 1 : 0;
+    }
+  return float(own) >= enough * float(all);
 }
 
 }  // namespace sline::render

@@ -86,8 +86,8 @@ class SeenMap {
   SeenArea drawnArea() const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
-  /// Tells whether a dot at that place of its surface lies on the structure as one sees it, by the
-  /// same shares of the dot by which `find` chooses places.
+  /// Tells whether a dot at that place of its surface lies on the structure as one sees it, and not
+  /// for the most part on what is beside or before it.
   bool showsDot(model::NodeId structure, const glm::vec3& p) const;
 
  private:
@@ -132,15 +132,7 @@ class SeenMap {
   const SeenMap& fine() const;
   /// What a dot would lie on in a fine map.
   struct Dots;
-  /// Of all its cells, or of those that one looks at around one of them.
-  Dots dots(std::uint32_t layer, const std::optional<glm::ivec2>& about = {}) const;
-  /// Tells whether a dot there lies on the structure and on nothing else.
-  bool dotLiesOn(std::uint32_t layer, const glm::vec2& place) const;
-  /// Tells whether a dot there lies on nothing that is drawn.
-  bool dotIsBare(std::uint32_t layer, const glm::vec2& place) const;
-  /// Returns the cell at that place of the structure's surface, if its own nearer parts do not hide
-  /// it.
-  std::optional<glm::ivec2> ownCellAt(model::NodeId structure, const glm::vec3& p) const;
+  Dots dots(std::uint32_t layer) const;
   /// How much of a structure one sees in a cell, and of the other of which one sees most.
   struct Shares {
     float own = 0.0f;

@@ -33,9 +33,6 @@ struct SeenMap::Candidates {
 
 namespace {
 
-constexpr float roomForDot = 4.5f;   // λ
-constexpr float cornerShare = 0.4f;  // of the room that a structure has elsewhere
-
 struct Spot {
   std::size_t cell = 0;
   float depth = 0.0f;  ///< cells from where cells do not count
@@ -179,53 +176,51 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   // Where a section shows the structure's inside, that is what the picture is made for.
   constexpr float roomOnFace = 3.6f;  // λ: a dot must not cover what it is on
   const auto face = deepest(all.cut, all.columns, all.rows);
-  // Where others are near and it is hardly wider than a dot, the curves of pictures decide.
-  constexpr float roomToSee = 7.6f;  // λ, four radii of a dot
-  const auto shows = [&](const Spot& spot) {
-    const glm::vec2 middle = m_grid.middle(all.x(spot.cell), all.y(spot.cell));
-    return spot.depth * m_grid.side >= roomToSee * lambda() ||
-           all.worth[spot.cell] == Worth::alone || fine().dotLiesOn(all.layer, middle);
-  };
-  const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda() && shows(*face);
-  if (auto stays = before ? kept(all, *before, onFace) : std::nullopt)
-    return stays;
-  const auto counted = [&](auto&& is, bool firm) {
+  const bool onFace = face && face->depth * m_grid.side >= roomOnFace * lambda();
+  if (before)
+    if (std::optional<SeenPlace> stays = kept(all, *before, onFace))
+      return stays;
+  const auto spotOf = [&](auto&& is, bool firm) {
     std::vector<bool> counts(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
-    return counts;
-  };
-  const auto spotOf = [&](auto&& is, bool firm) {
-    return deepest(counted(is, firm), all.columns, all.rows);
+    return deepest(counts, all.columns, all.rows);
   };
   std::optional<glm::vec2> towards;  // in cells
   if (const std::optional<glm::vec3> p = near && before ? m_scene.placeOf(*before) : std::nullopt)
     if (const std::optional<glm::vec2> was = m_screen.place(*p))
       towards = *was / m_grid.side - glm::vec2(float(all.left), float(all.top)) - 0.5f;
+  const auto nearSpot = [&](auto&& is, bool firm, float room) {
+    std::vector<bool> counts(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
+    return nearest(counts, all.columns, room, *towards);
+  };
+  constexpr float roomForDot = 4.5f;  // λ
   const float enough = roomForDot * lambda() / m_grid.side;
   if (onFace) {
-    auto spot =
+    const auto spot =
         towards ? nearest(all.cut, all.columns, std::min(enough, face->depth), *towards) : face;
-    if (!shows(*spot))
-      spot = face;
     return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
-  const auto plain = spotOf([](Worth worth) { return worth >= Worth::most; }, false);
+  constexpr float cornerShare = 0.4f;
+  const auto isPlain = [](Worth worth) { return worth >= Worth::most; };
+  const auto plain = spotOf(isPlain, false);
   const float ownRoom = plain ? cornerShare * plain->depth : 0.0f;
   for (const Worth worth : {Worth::alone, Worth::most}) {
     const auto is = [worth](Worth one) { return one >= worth; };
     const float room = worth == Worth::alone ? std::max(enough, ownRoom) : enough;
     for (const bool firm : {true, false})
-      if (const auto spot =
-              towards ? nearest(counted(is, firm), all.columns, room, *towards) : spotOf(is, firm);
-          spot && spot->depth >= room && shows(*spot))
+      if (const auto spot = towards ? nearSpot(is, firm, room) : spotOf(is, firm);
+          spot && spot->depth >= room)
         return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
   const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before, near);
   if (dot && !dot->hidden)
     return dot;
-  if (const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false))
+  const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false);
+  if (ground)
     return placeAt(m_layers[all.layer], all.x(ground->cell), all.y(ground->cell), false);
   return dot;
 }

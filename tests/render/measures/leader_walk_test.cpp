@@ -32,12 +32,11 @@ struct Walk {
 };
 
 using enum model::AnatomicalView;
-constexpr std::array<Walk, 8> walks{
+constexpr std::array<Walk, 7> walks{
     {{"kidney", nullptr, anterior, {}, true},
      {"kidney", nullptr, inferior, superior, false},
      {"pelvis", nullptr, superior, {}, true},
      {"pelvis", nullptr, left, right, false},
-     {"pelvis", nullptr, inferior, superior, true},
      {"abdomen", "abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml", superior, {}, true},
      {"bodyparts", "pelvis/bodyparts3d", superior, {}, true},
      {"bodyparts", "pelvis/bodyparts3d", inferior, superior, true}}};
