@@ -183,10 +183,13 @@ class Cards {
   /// all.
   Status addQuestion(const Sheet& sheet, const model::Question& question) {
     const Ids labels(question.labels.begin(), question.labels.end());
-    std::string numbers;
+    std::set<int> found;
     for (const model::AnnotationId id : question.labels)
       if (const auto number = sheet.numbers.find(id); number != sheet.numbers.end())
-        numbers += (numbers.empty() ? "" : ", ") + std::to_string(number->second);
+        found.insert(number->second);
+    std::string numbers;
+    for (const int number : found)
+      numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
     for (const model::AnnotationId id : question.labels) {
       const auto shown = std::find_if(sheet.named.labels.begin(), sheet.named.labels.end(),
                                       [id](const ShownLabel& each) { return each.item.id == id; });

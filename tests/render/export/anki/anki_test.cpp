@@ -9,7 +9,6 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -177,9 +176,8 @@ class AnkiTest : public QObject {
       QCOMPARE(card[4], QString("Von vorn: Übersicht"));
     }
     QCOMPARE(ids.size(), 6);
-    labels.sort();
-    QCOMPARE(labels, QStringList({"Leber &amp; &lt;b&gt;Galle&lt;/b&gt;", "Ren &quot;dexter&quot;",
-                                  "肝臓 „rechts“"}));
+    QCOMPARE(labels, QStringList({"肝臓 „rechts“", "Ren &quot;dexter&quot;",
+                                  "Leber &amp; &lt;b&gt;Galle&lt;/b&gt;"}));
     // The drawing, the numbers, and for each label its mark and its name; and nothing else.
     QCOMPARE(pictures.size(), 1 + 8);
     QStringList all(pictures.begin(), pictures.end());
@@ -269,7 +267,7 @@ class AnkiTest : public QObject {
     }
   }
 
-  /// One is given a name and looks for its number; things of one name have several.
+  /// One is given a name and looks for its number; the first of one name asks for all of them.
   void numbersAreFound() {
     const auto single = render::ankiCards(order(), {});
     QVERIFY(single.ok());
@@ -288,17 +286,11 @@ class AnkiTest : public QObject {
     asked.scene.setAnnotations(annotations);
     const auto deck = render::ankiCards(asked, {});
     QVERIFY(deck.ok());
-    QCOMPARE(int(deck->notes.size()), 3);
-    // Two of them have one name: the first to come is asked with both numbers.
-    const auto both = std::find_if(deck->notes.begin(), deck->notes.end(), [](const auto& note) {
-      return note.numbers.size() == std::string_view("1, 2").size();
-    });
-    QVERIFY(both != deck->notes.end());
-    QVERIFY(!both->numbered.empty());
-    QVERIFY(both->numbered.words.find("Welche Nummer ist es?") != std::string::npos);
-    QCOMPARE(std::count_if(deck->notes.begin(), deck->notes.end(),
-                           [](const auto& note) { return note.numbered.empty(); }),
-             std::ptrdiff_t(1));
+    QStringList asks;
+    for (const render::AnkiNote& note : deck->notes)
+      asks << QString::fromStdString(note.numbers + (note.numbered.empty() ? "" : "?"));
+    QCOMPARE(asks, QStringList({"1?", "2, 3?", ""}));
+    QVERIFY(deck->notes[0].numbered.words.find("Welche Nummer ist es?") != std::string::npos);
   }
 
   /// Each view has a deck within the deck, with the labels that it shows.
