@@ -43,6 +43,7 @@ class InfoTest : public QObject {
   void openAndPartedMeshes();
   void warningsAreListed();
   void tableNamesStructures();
+  void placesAreWrittenOut();
   void namesCannotCommandATerminal();
   void scans();
   void abdomen();
@@ -189,6 +190,19 @@ void InfoTest::tableNamesStructures() {
   for (const char* text : {"kidney", "renal artery", "Vessels", "3 structures", "LPS"})
     QVERIFY2(finished.out.contains(text), finished.out.constData());
   QCOMPARE(finished.err, QByteArray());
+}
+
+void InfoTest::placesAreWrittenOut() {
+  const QTemporaryDir folder;
+  const QString scene = folder.filePath("scene.sline");
+  QCOMPARE(runSline({"import", writeSample(folder.path()), "-o", scene}).code, 0);
+  QCOMPARE(
+      runSline({"annotate", scene, "--kind", "distance", "--on", "kidney", "--to", "renal artery"})
+          .code,
+      0);
+  const QString told = QString::fromUtf8(runSline({"info", scene}).out);
+  const QString place = R"(\(-?\d+\.\d, -?\d+\.\d, -?\d+\.\d\))";
+  QVERIFY2(told.contains(QRegularExpression("at " + place + " to " + place)), qPrintable(told));
 }
 
 void InfoTest::namesCannotCommandATerminal() {

@@ -181,6 +181,10 @@ void printViewsAndAnnotations(const SceneSummary& summary) {
               << '"';
   if (!summary.views.empty())
     std::cout << '\n';
+  // A tenth of a millimetre in a body, as fine beside its size in a cell.
+  const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
+  const int decimals = model::toldDecimals(double(std::max({size.x, size.y, size.z})));
+  std::cout << std::fixed << std::setprecision(decimals + 1);
   for (const AnnotationInfo& annotation : summary.annotations) {
     std::cout << annotation.kind << " \"" << onOneLine(annotation.text) << '"';
     for (const glm::vec3& p : annotation.places)
