@@ -34,6 +34,9 @@ std::string fileMark(const std::filesystem::path& file) {
 
 bool isEntryFile(const std::filesystem::path& file) {
   const std::string stem = lowerCase(stemOf(file));
+  constexpr std::size_t longest = 64;  // titles have any length, and std::regex goes deep with it
+  if (stem.size() > longest)
+    return false;
   static const std::regex entry(
       "(?:[0-9](?=[a-z0-9]*[a-z])[a-z0-9]{3}|pdb_[0-9]{4}[0-9][a-z0-9]{3})(?:-assembly.*)?"
       // An accession of UniProt, and which part of the protein.

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <array>
 
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/reload.h"
 #include "model/scene_json/scene_json.h"
 #include "tests/model/import/molecules/entry_files.h"
@@ -227,6 +228,16 @@ class FileNamesTest : public QObject {
   }
 
   /// It is said that names are not whole.
+  /// A title may have any length.
+  void entriesAreKnown() {
+    for (const char* name :
+         {"2src.cif.gz", "pdb_00002src.cif", "4hhb-assembly1.cif", "AF-P69905-F1-model_v4.cif"})
+      QVERIFY2(isEntryFile(name), name);
+    for (const std::string& name : {std::string("1961.pdb"), std::string("doe1.pdb"),
+                                    "4hhb-assembly" + std::string(1'000'000, 'x')})
+      QVERIFY(!isEntryFile(name));
+  }
+
   void whatIsLeftOutIsTold() {
     const auto told = [this](bool keep) {
       ImportOptions options;
