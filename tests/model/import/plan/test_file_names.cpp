@@ -227,7 +227,6 @@ class FileNamesTest : public QObject {
     QVERIFY(kept.ok() && namesIn(kept->scene).join(", ").contains("Kinase of qzxjane"));
   }
 
-  /// It is said that names are not whole.
   /// A title may have any length.
   void entriesAreKnown() {
     for (const char* name :
@@ -238,6 +237,7 @@ class FileNamesTest : public QObject {
       QVERIFY(!isEntryFile(name));
   }
 
+  /// It is said that names are not whole.
   void whatIsLeftOutIsTold() {
     const auto told = [this](bool keep) {
       ImportOptions options;
