@@ -24,7 +24,8 @@ QByteArray Planting::name(const QString& place) {
     constexpr const char letters[] = "bcdfghjklmnpqrtvwxz";  // no vowel, nothing that ends a plural
     constexpr std::size_t count = sizeof(letters) - 1;
     const std::size_t number = m_places.size();
-    name = QByteArray("Zqx") + letters[number / count % count] + letters[number % count] + 'k';
+    // So long that no base64 of surfaces holds it by chance, in any case of its letters.
+    name = QByteArray("Zqxvwjg") + letters[number / count % count] + letters[number % count] + 'k';
     m_places[QString::fromLatin1(name)] = place;
   }
   return name;
