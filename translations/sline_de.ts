@@ -3276,10 +3276,6 @@
         <translation>verdeckt bis zu %1 % davon</translation>
     </message>
     <message>
-        <source>%1 mm away</source>
-        <translation>%1 mm entfernt</translation>
-    </message>
-    <message>
         <source>Chosen</source>
         <translation>Gewählt</translation>
     </message>
@@ -3752,24 +3748,12 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
-    </message>
-    <message>
         <source>none: the surface has holes</source>
         <translation>keines: die Oberfläche hat Löcher</translation>
     </message>
     <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
         <source>%1, of %2 closed surfaces</source>
         <translation>%1, von %2 geschlossenen Oberflächen</translation>
-    </message>
-    <message>
-        <source>%1 cm²</source>
-        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -5584,10 +5568,6 @@
         </translation>
     </message>
     <message>
-        <source>%1, between smoothed surfaces</source>
-        <translation>%1, zwischen geglätteten Oberflächen</translation>
-    </message>
-    <message>
         <source>Vessel, nerve or duct</source>
         <translation>Gefäß, Nerv oder Gang</translation>
     </message>
@@ -5747,6 +5727,29 @@
     <message>
         <source>Write what views say.</source>
         <translation>Schreiben Sie, was Ansichten sagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels stand on anatomy, which leaves no room beside it: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung steht auf Anatomie, die neben sich keinen Platz lässt: %1.</numerusform>
+            <numerusform>%n Beschriftungen stehen auf Anatomie, die neben sich keinen Platz lässt: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves some, a larger page or smaller letters.</source>
+        <translation>Wählen Sie eine Ansicht, die welchen lässt, ein größeres Blatt oder kleinere Schrift.</translation>
+    </message>
+    <message>
+        <source>%1 away</source>
+        <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>%1 (right–left, front–back, foot–head)</source>
+        <translation>%1 (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
+    </message>
+    <message>
+        <source>%1 (x, y, z)</source>
+        <translation>%1 (x, y, z)</translation>
     </message>
 </context>
 <context>
@@ -5976,10 +5979,6 @@ OpenGL: %3</translation>
     <message>
         <source>Clear Paint</source>
         <translation>Gemaltes leeren</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Click on what you want to paint on</source>
@@ -7947,10 +7946,6 @@ OpenGL: %3</translation>
         <source>From what distance on there are only silhouettes</source>
         <translation>Ab welchem Abstand es nur Silhouetten gibt</translation>
     </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
 </context>
 <context>
     <name>sline::widgets::NearTool</name>
@@ -8769,10 +8764,6 @@ OpenGL: %3</translation>
         <translation>Schnitt umdrehen</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
         <translation>Nach links, hinten oder zum Kopf; bei einem schrägen Schnitt entlang seiner Normalen</translation>
     </message>
@@ -8831,6 +8822,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cut Faces</source>
         <translation>Schnittflächen</translation>
+    </message>
+    <message>
+        <source>Along the X, the Y or the Z axis; of an oblique section along its normal</source>
+        <translation>Entlang der X-, der Y- oder der Z-Achse; bei einem schrägen Schnitt entlang seiner Normalen</translation>
     </message>
 </context>
 <context>

@@ -199,6 +199,13 @@
             <numerusform>Something in it is at fault and was left out: %1; and %n more</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels stand on anatomy, which leaves no room beside it: %1.</source>
+        <translation>
+            <numerusform>%n label stands on anatomy, which leaves no room beside it: %1.</numerusform>
+            <numerusform>%n labels stand on anatomy, which leaves no room beside it: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

@@ -3276,10 +3276,6 @@
         <translation>dekker inntil %1 % av det</translation>
     </message>
     <message>
-        <source>%1 mm away</source>
-        <translation>%1 mm unna</translation>
-    </message>
-    <message>
         <source>Chosen</source>
         <translation>Valgt</translation>
     </message>
@@ -3752,24 +3748,12 @@
         <translation>Størrelse</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (høyre–venstre, foran–bak, fot–hode)</translation>
-    </message>
-    <message>
         <source>none: the surface has holes</source>
         <translation>ingen: overflaten har hull</translation>
     </message>
     <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
         <source>%1, of %2 closed surfaces</source>
         <translation>%1, av %2 lukkede overflater</translation>
-    </message>
-    <message>
-        <source>%1 cm²</source>
-        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -5584,10 +5568,6 @@
         </translation>
     </message>
     <message>
-        <source>%1, between smoothed surfaces</source>
-        <translation>%1, mellom glattede overflater</translation>
-    </message>
-    <message>
         <source>Vessel, nerve or duct</source>
         <translation>Kar, nerve eller gang</translation>
     </message>
@@ -5747,6 +5727,29 @@
     <message>
         <source>Write what views say.</source>
         <translation>Skriv hva visningene sier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels stand on anatomy, which leaves no room beside it: %1.</source>
+        <translation>
+            <numerusform>%n etikett står på anatomi, som ikke gir plass ved siden av: %1.</numerusform>
+            <numerusform>%n etiketter står på anatomi, som ikke gir plass ved siden av: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves some, a larger page or smaller letters.</source>
+        <translation>Velg en visning som gir plass, et større ark eller mindre bokstaver.</translation>
+    </message>
+    <message>
+        <source>%1 away</source>
+        <translation>%1 unna</translation>
+    </message>
+    <message>
+        <source>%1 (right–left, front–back, foot–head)</source>
+        <translation>%1 (høyre–venstre, foran–bak, fot–hode)</translation>
+    </message>
+    <message>
+        <source>%1 (x, y, z)</source>
+        <translation>%1 (x, y, z)</translation>
     </message>
 </context>
 <context>
@@ -5976,10 +5979,6 @@ OpenGL: %3</translation>
     <message>
         <source>Clear Paint</source>
         <translation>Tøm malingen</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Click on what you want to paint on</source>
@@ -7947,10 +7946,6 @@ OpenGL: %3</translation>
         <source>From what distance on there are only silhouettes</source>
         <translation>Fra hvilken avstand det bare er silhuetter</translation>
     </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
 </context>
 <context>
     <name>sline::widgets::NearTool</name>
@@ -8769,10 +8764,6 @@ OpenGL: %3</translation>
         <translation>Vend snittet</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
         <translation>Mot venstre, ryggen eller hodet; for et skrått snitt langs normalen</translation>
     </message>
@@ -8831,6 +8822,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cut Faces</source>
         <translation>Snittflater</translation>
+    </message>
+    <message>
+        <source>Along the X, the Y or the Z axis; of an oblique section along its normal</source>
+        <translation>Langs X-, Y- eller Z-aksen; for et skrått snitt langs normalen</translation>
     </message>
 </context>
 <context>

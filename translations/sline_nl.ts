@@ -3276,10 +3276,6 @@
         <translation>bedekt tot %1 % ervan</translation>
     </message>
     <message>
-        <source>%1 mm away</source>
-        <translation>%1 mm ervandaan</translation>
-    </message>
-    <message>
         <source>Chosen</source>
         <translation>Gekozen</translation>
     </message>
@@ -3752,24 +3748,12 @@
         <translation>Grootte</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation>%1 × %2 × %3 mm (rechts–links, voor–achter, voet–hoofd)</translation>
-    </message>
-    <message>
         <source>none: the surface has holes</source>
         <translation>geen: het oppervlak heeft gaten</translation>
     </message>
     <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
         <source>%1, of %2 closed surfaces</source>
         <translation>%1, van %2 gesloten oppervlakken</translation>
-    </message>
-    <message>
-        <source>%1 cm²</source>
-        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -5584,10 +5568,6 @@
         </translation>
     </message>
     <message>
-        <source>%1, between smoothed surfaces</source>
-        <translation>%1, tussen gladgemaakte oppervlakken</translation>
-    </message>
-    <message>
         <source>Vessel, nerve or duct</source>
         <translation>Vat, zenuw of kanaal</translation>
     </message>
@@ -5747,6 +5727,29 @@
     <message>
         <source>Write what views say.</source>
         <translation>Schrijf wat aanzichten zeggen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels stand on anatomy, which leaves no room beside it: %1.</source>
+        <translation>
+            <numerusform>%n label staat op anatomie, die ernaast geen ruimte laat: %1.</numerusform>
+            <numerusform>%n labels staan op anatomie, die ernaast geen ruimte laat: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves some, a larger page or smaller letters.</source>
+        <translation>Kies een aanzicht dat ruimte laat, een groter blad of kleinere letters.</translation>
+    </message>
+    <message>
+        <source>%1 away</source>
+        <translation>%1 ervandaan</translation>
+    </message>
+    <message>
+        <source>%1 (right–left, front–back, foot–head)</source>
+        <translation>%1 (rechts–links, voor–achter, voet–hoofd)</translation>
+    </message>
+    <message>
+        <source>%1 (x, y, z)</source>
+        <translation>%1 (x, y, z)</translation>
     </message>
 </context>
 <context>
@@ -5976,10 +5979,6 @@ OpenGL: %3</translation>
     <message>
         <source>Clear Paint</source>
         <translation>Schildering leegmaken</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Click on what you want to paint on</source>
@@ -7947,10 +7946,6 @@ OpenGL: %3</translation>
         <source>From what distance on there are only silhouettes</source>
         <translation>Vanaf welke afstand er alleen silhouetten zijn</translation>
     </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
 </context>
 <context>
     <name>sline::widgets::NearTool</name>
@@ -8769,10 +8764,6 @@ OpenGL: %3</translation>
         <translation>Doorsnede omkeren</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
         <translation>Naar links, achteren of het hoofd; bij een schuine doorsnede langs de normaal</translation>
     </message>
@@ -8831,6 +8822,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cut Faces</source>
         <translation>Snijvlakken</translation>
+    </message>
+    <message>
+        <source>Along the X, the Y or the Z axis; of an oblique section along its normal</source>
+        <translation>Langs de X-, de Y- of de Z-as; bij een schuine doorsnede langs haar normaal</translation>
     </message>
 </context>
 <context>

@@ -338,12 +338,16 @@ std::string structuresOf(const model::Scene& scene, const Annotation& annotation
   return names;
 }
 
-/// Returns "mm=25.00", with a question mark where the unit is doubted, or "Å=0.60".
-std::string lengthField(double millimetres, model::DrawnUnit unit) {
-  const model::ToldUnit told = model::toldUnit(millimetres, unit);
+/// Returns "mm=25.00", or "mm=25.00±0.80" between surfaces that import has moved, with a question
+/// mark where the unit is doubted, or "Å=0.60".
+std::string lengthField(const model::DrawnLength& length, model::DrawnUnit unit) {
+  const model::ToldUnit told = model::toldUnit(double(length.mm), unit);
   std::ostringstream text;
-  text << told.symbol << '=' << std::fixed << std::setprecision(2) << millimetres / told.millimetres
-       << (told.doubted ? "?" : "");
+  text << told.symbol << '=' << std::fixed << std::setprecision(2)
+       << double(length.mm) / told.millimetres;
+  if (length.offMm > 0.0f)
+    text << "±" << double(length.offMm) / told.millimetres;
+  text << (told.doubted ? "?" : "");
   return text.str();
 }
 
@@ -356,7 +360,7 @@ Exit list(const model::Scene& scene) {
     };
     std::cout << structuresOf(scene, annotation) << '\t' << words(annotation.text);
     if (const auto length = model::drawnLength(scene, annotation))
-      std::cout << '\t' << lengthField(double(*length), drawnUnit(scene));
+      std::cout << '\t' << lengthField(*length, drawnUnit(scene));
     for (const auto& [language, text] : annotation.texts)
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';

@@ -8,6 +8,10 @@ bool isAsRead(const Provenance& p) {
          p.decimatedFrom == 0;
 }
 
+float movedMm(const Provenance& p) {
+  return p.displacementMm + (p.decimatedFrom > 0 ? p.decimationMm : 0.0f);
+}
+
 MeasuredExtent measuredExtent(const Node& structure) {
   const bool same = isAsRead(structure.provenance);
   MeasuredExtent measured{extentOf(*structure.mesh), same, same};

@@ -16,6 +16,9 @@ struct MeasuredExtent {
 /// Tells whether the surface is the one that was read: import neither smoothed, refined nor
 /// decimated it.
 bool isAsRead(const Provenance& provenance);
+/// Returns how far import has moved the surface at most, in mm; 0 where it is the one that was
+/// read.
+float movedMm(const Provenance& provenance);
 
 /// Measures the structure: what was measured while it was read takes precedence. Takes long on a
 /// large mesh.

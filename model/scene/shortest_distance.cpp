@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/shortest_way.h"
+#include "model/scene/measured_extent.h"
 
 namespace sline::model {
 
@@ -28,9 +29,19 @@ float touchingLength(const Scene& scene, const Annotation& annotation) {
   return least;
 }
 
+/// Returns how far import has moved the surfaces on which the ends lie, at most and in all.
+float movedByImport(const Scene& scene, const Annotation& annotation) {
+  float moved = 0.0f;
+  for (const Anchor& anchor : annotation.anchors)
+    if (const auto* point = std::get_if<SurfacePoint>(&anchor))
+      if (const Node* node = scene.find(point->structure))
+        moved += movedMm(node->provenance);
+  return moved;
+}
+
 }  // namespace
 
-std::optional<float> drawnLength(const Scene& scene, const Annotation& annotation) {
+std::optional<DrawnLength> drawnLength(const Scene& scene, const Annotation& annotation) {
   if (annotation.kind != AnnotationKind::distance)
     return std::nullopt;
   const auto from = scene.placeOf(annotation.anchors.front());
@@ -38,7 +49,8 @@ std::optional<float> drawnLength(const Scene& scene, const Annotation& annotatio
   if (!from || !to)
     return std::nullopt;
   const float length = glm::distance(*from, *to);
-  return length < touchingLength(scene, annotation) ? 0.0f : length;
+  return DrawnLength{.mm = length < touchingLength(scene, annotation) ? 0.0f : length,
+                     .offMm = movedByImport(scene, annotation)};
 }
 
 std::optional<Annotation> shortestDistance(const Scene& scene, NodeId from, NodeId to,

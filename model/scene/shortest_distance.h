@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "model/scene/scene.h"
+#include "model/scene/told_length.h"
 
 namespace sline::model {
 
@@ -17,7 +18,8 @@ std::optional<Annotation> shortestDistance(const Scene& scene, NodeId from, Node
 
 /// Returns how long a distance is as it is drawn, in mm of the patient's frame: 0 between two
 /// structures that touch as far as such surfaces can tell, which is within 1/2000 of the smaller
-/// one's extent and 0.05 mm. Nothing for other annotations and where an end has no place.
-std::optional<float> drawnLength(const Scene& scene, const Annotation& annotation);
+/// one's extent and 0.05 mm; and how far import has moved the surfaces on which its ends lie.
+/// Nothing for other annotations and where an end has no place.
+std::optional<DrawnLength> drawnLength(const Scene& scene, const Annotation& annotation);
 
 }  // namespace sline::model

@@ -75,4 +75,41 @@ inline std::string toldSize(const glm::dvec3& millimetres, DrawnUnit unit = Draw
   return text + " " + told.mark();
 }
 
+/// A length between surfaces as they are drawn.
+struct DrawnLength {
+  float mm = 0.0f;     ///< 0: they touch
+  float offMm = 0.0f;  ///< by how much it differs at most from that of the surfaces that were read
+  bool operator==(const DrawnLength&) const = default;
+};
+
+/// What is told of a length: a sign, a number and a unit.
+struct ToldDistance {
+  std::string_view sign;  ///< "", "≈" or "<"
+  double value = 0.0;
+  int decimals = 0;
+  std::string unit;
+};
+
+/// Returns "88 mm" or, below 10, "3.4 mm". What may be off by more than half of the last place is
+/// told as "≈ 3 mm", and without places where it may be off by half a unit; what may be none at all
+/// as "< 2 mm". That surfaces touch is no number: of these the length is not told by this.
+inline ToldDistance toldDistance(const DrawnLength& length,
+                                 DrawnUnit unit = DrawnUnit::millimetre) {
+  const double most = double(length.mm) + double(length.offMm);
+  const ToldUnit in = toldUnit(length.mm > length.offMm ? double(length.mm) : most, unit);
+  const double off = double(length.offMm) / in.millimetres;
+  ToldDistance told{.sign = "", .value = double(length.mm) / in.millimetres, .unit = in.mark()};
+  if (off > 0.0 && length.mm <= length.offMm) {
+    told.sign = "<";
+    told.decimals = most < in.millimetres ? 1 : 0;
+    const double step = told.decimals > 0 ? 0.1 : 1.0;
+    told.value = step * std::ceil(most / in.millimetres / step - 1e-6);
+    return told;
+  }
+  told.decimals = told.value < 10.0 && off < 0.5 ? 1 : 0;
+  if (off > (told.decimals > 0 ? 0.05 : 0.5))
+    told.sign = "≈";
+  return told;
+}
+
 }  // namespace sline::model

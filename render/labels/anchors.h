@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/scene/known_frame.h"
+#include "model/scene/told_length.h"
 #include "render/labels/layout.h"
 #include "render/labels/screen.h"
 #include "render/labels/sight.h"
@@ -35,7 +36,7 @@ struct ShownLabel {
   /// numbered in reading order (label_painter.h).
   int number = 0;
   std::optional<Colour> colour;
-  std::optional<float> lengthMm;                         ///< of a distance (model::drawnLength)
+  std::optional<model::DrawnLength> length;              ///< of a distance
   std::vector<PlaceChoice> choices;                      ///< with a pool: places in this picture
   model::DrawnUnit unit = model::DrawnUnit::millimetre;  ///< of the distance
 };

@@ -35,25 +35,27 @@ std::string bounded(const std::string& text) {
   return text.substr(0, end) + "\u2026";
 }
 
-/// Returns "88 mm", below 10 mm with a decimal, and below 0.1 mm "3.8 µm".
-QString distanceText(float millimetres, const QLocale& locale, model::DrawnUnit unit) {
-  const model::ToldUnit told = model::toldUnit(double(millimetres), unit);
-  const double value = double(millimetres) / told.millimetres;
-  return locale.toString(value, 'f', value < 10.0 ? 1 : 0) + QChar(QChar::Nbsp) +
-         QString::fromStdString(told.mark());
+/// Returns "88 mm", "≈ 3.8 µm", "< 2 mm" or that two structures touch.
+QString distanceText(const ShownLabel& label, const std::string& language) {
+  if (label.length->mm <= 0.0f && label.length->offMm <= 0.0f)
+    return MarkWords(language, {}).touching();
+  const model::ToldDistance told = model::toldDistance(*label.length, label.unit);
+  const QLocale locale(
+      QString::fromStdString(language.empty() ? "en" : model::firstLanguage(language)));
+  QString text = QString::fromUtf8(told.sign.data(), qsizetype(told.sign.size()));
+  if (!text.isEmpty())
+    text += QChar(QChar::Nbsp);
+  return text + locale.toString(told.value, 'f', told.decimals) + QChar(QChar::Nbsp) +
+         QString::fromStdString(told.unit);
 }
 
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
   QString text = QString::fromStdString(bounded(label.text)).simplified();
   // A slash between two names ends a line, it begins none.
   text.replace(QStringLiteral(" / "), QStringLiteral("\u00a0/ "));
-  if (!label.lengthMm)
+  if (!label.length)
     return text;
-  const QLocale locale(
-      QString::fromStdString(style.language.empty() ? "en" : model::firstLanguage(style.language)));
-  const QString length = *label.lengthMm <= 0.0f
-                             ? MarkWords(style.language, {}).touching()
-                             : distanceText(*label.lengthMm, locale, label.unit);
+  const QString length = distanceText(label, style.language);
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 
@@ -331,7 +333,7 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
 }
 
 std::string keyText(const ShownLabel& label, const LabelStyle& style) {
-  return label.lengthMm ? fullText(label, style).toStdString() : plainText(label);
+  return label.length ? fullText(label, style).toStdString() : plainText(label);
 }
 
 }  // namespace sline::render

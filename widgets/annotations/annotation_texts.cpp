@@ -25,10 +25,11 @@ QString anchorText(Session& session, const model::Anchor& anchor) {
 }
 
 /// Returns the length as the picture writes it.
-QString lengthText(float millimetres, model::DrawnUnit unit, const std::string& language) {
+QString lengthText(const model::DrawnLength& length, model::DrawnUnit unit,
+                   const std::string& language) {
   render::ShownLabel label;
   label.item.kind = model::AnnotationKind::distance;
-  label.lengthMm = millimetres;
+  label.length = length;
   label.unit = unit;
   return QString::fromStdString(render::keyText(label, {.language = language})).simplified();
 }
@@ -60,7 +61,7 @@ QString shownText(const model::Scene& scene, const model::Annotation& annotation
                   const std::string& language) {
   const QString text = plainWordsIn(annotation, language);
   if (text.isEmpty() && annotation.kind == model::AnnotationKind::distance) {
-    if (const std::optional<float> length = drawnLength(scene, annotation))
+    if (const std::optional<model::DrawnLength> length = drawnLength(scene, annotation))
       return lengthText(*length, drawnUnit(scene), language);
   }
   return text.isEmpty() ? kindText(annotation.kind) : text;

@@ -84,6 +84,8 @@ QString fact(const render::ExportNote& note) {
     case Kind::labelsHidden:
       return tr("%n labels point with a dashed line to what is hidden in this picture: %1.",
                 nullptr, count);
+    case Kind::labelsOnAnatomy:
+      return tr("%n labels stand on anatomy, which leaves no room beside it: %1.", nullptr, count);
     case Kind::labelsUntranslated:
       return tr("%n labels have no text in the language and stand in the scene's own: %1.", nullptr,
                 count);
@@ -129,6 +131,8 @@ QString remedy(render::ExportNote::Kind kind) {
     case Kind::labelsHidden:
     case Kind::labelsNotAsked:
       return tr("Choose a view that shows it, or draw less of what is before it.");
+    case Kind::labelsOnAnatomy:
+      return tr("Choose a view that leaves some, a larger page or smaller letters.");
     case Kind::labelsUntranslated:
       return tr("Write them in the list of labels, or choose another language.");
     case Kind::legendWithoutRoom:

@@ -3,12 +3,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <cmath>
+
+#include "widgets/session/length_texts.h"
 
 namespace sline::widgets {
 
@@ -93,8 +94,7 @@ void NearRow::refresh() {
   const float falloff = m_tool.falloffMm();
   if (!m_falloff->isSliderDown())
     m_falloff->setValue(stepAt(std::clamp(falloff, leastMm, mostMm)));
-  m_millimetres->setText(
-      tr("%1 mm").arg(QLocale().toString(double(falloff), 'f', falloff < 10.0f ? 1 : 0)));
+  m_millimetres->setText(lengthText(m_session.scene(), double(falloff)));
 }
 
 }  // namespace sline::widgets

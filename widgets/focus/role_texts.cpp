@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/focus/role_texts.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "model/focus/context.h"
 #include "model/scene/measured_extent.h"
+#include "widgets/session/length_texts.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -26,24 +26,24 @@ QString hidesText(const model::Relation& relation) {
   return tr("hides up to %1 % of it").arg(qRound(100.0f * relation.hides));
 }
 
-/// Tells whether the structure and all in focus have the surfaces that were read.
-bool isBetweenReadSurfaces(const model::Scene& scene, const model::Relation& relation) {
-  std::vector<model::NodeId> both = scene.structuresBelow(scene.focus().targets);
-  both.push_back(relation.structure);
-  return std::all_of(both.begin(), both.end(), [&](model::NodeId id) {
+/// Returns how far the structure's surface and those in focus have been moved by import, at most.
+float movedBetween(const model::Scene& scene, const model::Relation& relation) {
+  const auto moved = [&](model::NodeId id) {
     const model::Node* node = scene.find(id);
-    return !node || model::isAsRead(node->provenance);
-  });
+    return node ? model::movedMm(node->provenance) : 0.0f;
+  };
+  float most = 0.0f;
+  for (const model::NodeId id : scene.structuresBelow(scene.focus().targets))
+    most = std::max(most, moved(id));
+  return most + moved(relation.structure);
 }
 
 QString distanceText(Session& session, const model::Relation& relation) {
   if (!std::isfinite(relation.gapMm))
     return tr("Cut away");
-  const double mm = double(relation.gapMm);
-  const QString text = tr("%1 mm away").arg(QLocale().toString(mm, 'f', mm < 10.0 ? 1 : 0));
-  return isBetweenReadSurfaces(session.scene(), relation)
-             ? text
-             : tr("%1, between smoothed surfaces").arg(text);
+  const model::DrawnLength gap{.mm = relation.gapMm,
+                               .offMm = movedBetween(session.scene(), relation)};
+  return tr("%1 away").arg(lengthText(session.scene(), gap));
 }
 
 QString firstClause(Session& session, const model::Relation& relation) {

@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -12,6 +11,7 @@
 #include <cmath>
 
 #include "model/edit/painting.h"
+#include "widgets/session/length_texts.h"
 
 namespace sline::widgets {
 
@@ -139,12 +139,9 @@ void BrushBar::refresh() {
   const QSignalBlocker quiet(m_erase);
   m_erase->setChecked(brush.erases);
   const float millimetres = brush.radius * m_tool.millimetresPerPixel();
-  m_millimetres->setText(
-      millimetres > 0.0f
-          ? tr("%1 mm").arg(QLocale().toString(double(millimetres), 'f', millimetres < 10 ? 1 : 0))
-          : QString());
-  const NodeIds targets = m_tool.targets();
   const model::Scene& scene = m_session.scene();
+  m_millimetres->setText(millimetres > 0.0f ? lengthText(scene, double(millimetres)) : QString());
+  const NodeIds targets = m_tool.targets();
   const QString target = targets.empty() ? tr("Click on what you want to paint on")
                          : targets.size() == 1
                              ? m_session.names().shown(scene.find(targets[0])->name)

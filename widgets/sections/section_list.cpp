@@ -77,9 +77,10 @@ QVariant SectionList::data(const QModelIndex& index, int role) const {
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole)
     return {};
-  const QString text = index.column() == name       ? QString::fromStdString(section->name)
-                       : index.column() == position ? positionText(section->plane)
-                                                    : scopeText(m_session, section->scope);
+  const QString text = index.column() == name ? QString::fromStdString(section->name)
+                       : index.column() == position
+                           ? positionText(section->plane, m_session.scene())
+                           : scopeText(m_session, section->scope);
   // What the column has no room for is read as a tip; names may look like markup.
   return role == Qt::ToolTipRole ? QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()) : text;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/sections/section_position.h"
 
-#include <QCoreApplication>
-#include <QLocale>
 #include <array>
 #include <cmath>
+
+#include "model/scene/known_frame.h"
+#include "widgets/session/length_texts.h"
 
 namespace sline::widgets {
 
@@ -15,18 +16,20 @@ model::Plane movedTo(model::Plane plane, double position) {
   return plane;
 }
 
-QString positionText(const model::Plane& plane) {
+QString positionText(const model::Plane& plane, const model::Scene& scene) {
   static constexpr std::array<const char*, 3> positive{"L", "P", "S"};
   static constexpr std::array<const char*, 3> negative{"R", "A", "I"};
+  static constexpr std::array<const char*, 3> axes{"X", "Y", "Z"};
   const std::optional<int> axis = axisAcross(plane);
   const double position = positionOf(plane);
-  const double shown = axis ? std::abs(position) : position;
-  const QString length = QCoreApplication::translate("sline::widgets", "%1 mm")
-                             .arg(QLocale().toString(shown == 0.0 ? 0.0 : shown, 'f', 1));
+  const model::KnownSides sides = knownSides(scene);
+  const double shown = axis && sides.any ? std::abs(position) : position;
+  const QString length = lengthText(scene, shown == 0.0 ? 0.0 : shown, 1);
   if (!axis)
     return length;
-  const auto& letters = position < 0.0 ? negative : positive;
-  return QLatin1String(letters[std::size_t(*axis)]) + QChar(QChar::Nbsp) + length;
+  const auto& letters = !sides.any ? axes : position < 0.0 ? negative : positive;
+  return QLatin1String(letters[std::size_t(*axis)]) +
+         (sides.inDoubt(*axis) ? QStringLiteral("?") : QString()) + QChar(QChar::Nbsp) + length;
 }
 
 model::Plane flipped(const model::Plane& plane) {

@@ -112,7 +112,7 @@ void SectionTool::move(const Pointer& pointer) {
   section.plane = m_drag->at(pointer.pixel, snap);
   m_readout = turns(m_grip)
                   ? tr("%1°").arg(QLocale().toString(m_drag->turnAt(pointer.pixel, snap), 'f', 0))
-                  : positionText(section.plane);
+                  : positionText(section.plane, m_session.scene());
   const model::Scene& before = m_session.sceneBeforePreview();
   m_session.preview(model::withSectionChanged(before, section.id, section).scene);
 }

@@ -15,9 +15,11 @@
 #include <algorithm>
 #include <array>
 
+#include "model/scene/known_frame.h"
 #include "widgets/sections/new_section.h"
 #include "widgets/sections/section_list.h"
 #include "widgets/sections/section_position.h"
+#include "widgets/session/length_texts.h"
 
 namespace sline::widgets {
 
@@ -99,12 +101,8 @@ QWidget* SectionsPanel::makeButtons() {
 QWidget* SectionsPanel::makeDetails() {
   m_position = new QDoubleSpinBox;
   m_position->setObjectName(QStringLiteral("sectionPosition"));
-  m_position->setSuffix(tr(" mm"));
   m_position->setDecimals(1);
   m_position->setRange(-1e5, 1e5);
-  m_position->setToolTip(
-      tr("Towards the left, the back or the head; of an oblique section along "
-         "its normal"));
   m_scope = new QComboBox;
   m_scope->setObjectName(QStringLiteral("sectionScope"));
   m_scope->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -228,6 +226,11 @@ void SectionsPanel::showActive() {
   m_add->setEnabled(!m_session.scene().nodes().empty());
   if (!section)
     return;
+  m_position->setSuffix(unitSuffix(m_session.scene()));
+  m_position->setToolTip(
+      hasSides(m_session.scene())
+          ? tr("Towards the left, the back or the head; of an oblique section along its normal")
+          : tr("Along the X, the Y or the Z axis; of an oblique section along its normal"));
   m_position->setValue(positionOf(section->plane));
   m_faces->setCurrentIndex(int(section->faces));
   m_hatched->setChecked(section->hatched);

@@ -22,6 +22,7 @@
 #include "model/scene/measured_extent.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
+#include "widgets/session/length_texts.h"
 #include "widgets/text/told.h"
 #include "widgets/text/tr.h"
 
@@ -155,8 +156,8 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
     const glm::vec3 size = bounds.size();
     rows.push_back(
         {QStringLiteral("size"), tr("Size"),
-         tr("%1 × %2 × %3 mm (right–left, front–back, foot–head)")
-             .arg(number(double(size.x)), number(double(size.y)), number(double(size.z)))});
+         (hasSides(scene) ? tr("%1 (right–left, front–back, foot–head)") : tr("%1 (x, y, z)"))
+             .arg(sizeText(scene, glm::dvec3(size)))});
   }
   if (one && !first.isGroup())
     addOrigin(rows, first.provenance);
@@ -167,7 +168,8 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
   return rows;
 }
 
-std::vector<Property> extentProperties(const std::vector<model::Node>& structures) {
+std::vector<Property> extentProperties(const std::vector<model::Node>& structures,
+                                       model::DrawnUnit unit) {
   double area = 0.0;
   double volume = 0.0;
   std::size_t closed = 0;
@@ -185,11 +187,10 @@ std::vector<Property> extentProperties(const std::vector<model::Node>& structure
     return asRead ? text : tr("%1, of the smoothed surface").arg(text);
   };
   QString inside = closed == 0 ? tr("none: the surface has holes")
-                               : with(tr("%1 ml").arg(number(volume / 1000.0, 2)), volumeAsRead);
+                               : with(volumeText(unit, volume), volumeAsRead);
   if (closed > 0 && closed < structures.size())
     inside = tr("%1, of %2 closed surfaces").arg(inside, count(closed));
-  return {{QStringLiteral("area"), tr("Surface"),
-           with(tr("%1 cm²").arg(number(area / 100.0, 2)), areaAsRead)},
+  return {{QStringLiteral("area"), tr("Surface"), with(areaText(unit, area), areaAsRead)},
           {QStringLiteral("volume"), tr("Volume"), inside}};
 }
 
@@ -235,13 +236,14 @@ StructureProperties::StructureProperties(Session& session, const NodeIds& ids,
   for (const auto& [node, style] : model::resolvedBelow(session.scene(), ids))
     structures.push_back(*node);
   // A million triangles take longer than a window may stand still.
-  QThreadPool::globalInstance()->start([structures, dialog = QPointer(this)] {
-    const std::vector<Property> rows = extentProperties(structures);
-    QMetaObject::invokeMethod(QCoreApplication::instance(), [dialog, rows] {
-      if (dialog)
-        dialog->add(rows);
-    });
-  });
+  QThreadPool::globalInstance()->start(
+      [structures, unit = drawnUnit(session.scene()), dialog = QPointer(this)] {
+        const std::vector<Property> rows = extentProperties(structures, unit);
+        QMetaObject::invokeMethod(QCoreApplication::instance(), [dialog, rows] {
+          if (dialog)
+            dialog->add(rows);
+        });
+      });
 }
 
 void StructureProperties::add(const std::vector<Property>& properties) {

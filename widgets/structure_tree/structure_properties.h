@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/geometry/extent.h"
+#include "model/scene/known_frame.h"
 #include "widgets/session/other_sides.h"
 #include "widgets/session/session.h"
 
@@ -23,9 +24,10 @@ struct Property {
 /// Returns all properties except area and volume, which take long on a large mesh.
 std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids,
                                    const OtherSides& otherSides);
-/// Returns the area of the structures at or below the nodes, and the volume of those that are
-/// closed.
-std::vector<Property> extentProperties(const std::vector<model::Node>& structures);
+/// Returns the area of the structures, and the volume of those that are closed, in the unit that
+/// their scene is drawn in.
+std::vector<Property> extentProperties(const std::vector<model::Node>& structures,
+                                       model::DrawnUnit unit);
 
 /// Shows the properties as they are when it opens, as text that can be selected and copied, and
 /// fields in which one says whose work the surfaces are.

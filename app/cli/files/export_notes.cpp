@@ -121,6 +121,10 @@ std::string labelsText(const render::ExportNote& note) {
       return counted(count, "label points", "labels point") +
              " with a dashed line to what is hidden in this picture" + names +
              "Choose a view that shows it, or draw less of what is before it";
+    case Kind::labelsOnAnatomy:
+      return counted(count, "label stands", "labels stand") +
+             " on anatomy, which leaves no room beside it" + names +
+             "Choose a view that leaves some, a larger page or smaller letters (--label-size)";
     case Kind::labelsUntranslated:
       return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
              " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +
@@ -141,6 +145,7 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::labelsOfHidden:
     case Kind::labelsOffPage:
     case Kind::labelsHidden:
+    case Kind::labelsOnAnatomy:
     case Kind::labelsUntranslated:
       return labelsText(note);
     case Kind::labelsNotAsked:

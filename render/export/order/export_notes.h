@@ -15,6 +15,7 @@ struct ExportNote {
     labelsOfHidden,      ///< on structures that are hidden or cut away there; `names`: their texts
     labelsOffPage,       ///< their places are not within the picture; `names`: their texts
     labelsHidden,        ///< what they name is not seen where they point; `names`: their texts
+    labelsOnAnatomy,     ///< anatomy leaves no ground beside it; `names`: their texts
     labelsUntranslated,  ///< `names`: texts in the scene's language, `detail`: the one asked for
     cardsWithoutRoom,    ///< labels that no card asks for; `names`: their texts
     marksWithoutRoom,    ///< `names`: those of the items (`Marks`)

@@ -69,6 +69,15 @@ bool mostAreOut(const LabelPlate& plate) {
   return plate.layout.leftOut.size() > plate.layout.labels.size();
 }
 
+/// Returns the labels that stand on what the picture shows.
+std::vector<model::AnnotationId> labelsOn(const SeenArea& drawn, const LabelPlate& plate) {
+  std::vector<model::AnnotationId> over;
+  for (const PlacedLabel& label : plate.layout.labels)
+    if (drawn.anyIn(label.box))
+      over.push_back(label.id);
+  return over;
+}
+
 /// Returns the marks, which keep off what the picture shows.
 Marks marksBeside(const ExportOrder& order, Marks usual, const SeenArea& drawn) {
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
@@ -103,8 +112,10 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
     // Where anatomy fills the picture there is no ground beside it: rather than not at all labels
     // stand on it, with their halos.
     LabelPlate over = labelPlate(order.scene, screen, style, trees, turn);
-    if (!mostAreOut(over))
+    if (!mostAreOut(over)) {
       plate.labels = std::move(over);
+      addLabels(plate.notes, Kind::labelsOnAnatomy, order, labelsOn(*drawn, *plate.labels));
+    }
   }
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);

@@ -106,7 +106,7 @@ WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
       ShownLabel label;
       label.item.kind = annotation.kind;
       label.text = model::textIn(annotation, tag);
-      label.lengthMm = drawnLength(m_scene, annotation);
+      label.length = drawnLength(m_scene, annotation);
       label.unit = drawnUnit(m_scene);
       words[tag] = keyText(label, {.language = tag});
       continue;

@@ -39,20 +39,38 @@ class DrawnLengthTest : public QObject {
     const NodeId second = ball("second", 2.0 * radius + gap);
     const std::optional<Annotation> distance = shortestDistance(scene, first, second);
     QVERIFY(distance);
-    const std::optional<float> length = drawnLength(scene, *distance);
+    const std::optional<DrawnLength> length = drawnLength(scene, *distance);
     QVERIFY(length);
+    QCOMPARE(length->offMm, 0.0f);
     if (touching)
-      QCOMPARE(*length, 0.0f);
+      QCOMPARE(length->mm, 0.0f);
     else
-      QVERIFY2(std::abs(double(*length) - gap) < 0.02 * radius,
-               qPrintable(QString::number(double(*length))));
+      QVERIFY2(std::abs(double(length->mm) - gap) < 0.02 * radius,
+               qPrintable(QString::number(double(length->mm))));
   }
   void onlyOfDistances() {
     Scene scene;
     QVERIFY(!drawnLength(scene, {.kind = AnnotationKind::pin, .anchors = {glm::vec3(0.0f)}}));
     const Annotation free{.kind = AnnotationKind::distance,
                           .anchors = {glm::vec3(0.0f), glm::vec3(0.0f, 3.0f, 4.0f)}};
-    QCOMPARE(drawnLength(scene, free), std::optional(5.0f));
+    QCOMPARE(drawnLength(scene, free)->mm, 5.0f);
+    QCOMPARE(drawnLength(scene, free)->offMm, 0.0f);
+  }
+  /// Import has smoothed the one surface and simplified the other.
+  void surfacesThatWereMoved() {
+    Scene scene;
+    Node smoothed{.name = "tumour", .mesh = test::sphere(10.0f, 3)};
+    smoothed.provenance.smoothingSteps = 12;
+    smoothed.provenance.displacementMm = 0.7f;
+    Node simplified{.name = "vein"};
+    simplified.mesh = test::moved(*test::sphere(1.0f, 3), 4.0f, {20.0f, 0.0f, 0.0f});
+    simplified.provenance.decimatedFrom = 9000;
+    simplified.provenance.decimationMm = 0.1f;
+    const NodeId first = scene.append(std::move(smoothed));
+    const NodeId second = scene.append(std::move(simplified));
+    const std::optional<Annotation> distance = shortestDistance(scene, first, second);
+    QVERIFY(distance);
+    QVERIFY(std::abs(drawnLength(scene, *distance)->offMm - 0.8f) < 1e-6f);
   }
 };
 

@@ -114,7 +114,7 @@ class NewSectionTest : public QObject {
     QFETCH(QString, text);
     const model::Plane plane{.normal = normal, .offset = offset};
     QCOMPARE(positionOf(plane), position);
-    QCOMPARE(positionText(plane), text);
+    QCOMPARE(positionText(plane, model::Scene()), text);
     QVERIFY(movedTo(plane, position) == plane);
     QCOMPARE(positionOf(movedTo(plane, 44.0)), 44.0);
     QCOMPARE(positionOf(flipped(flipped(plane))), position);

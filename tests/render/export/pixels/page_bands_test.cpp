@@ -40,7 +40,7 @@ struct Apart {
   /// Share of pixels that are more than 4/255 apart: slanted leaders, which Qt draws in each band
   /// anew, are up to 3/255 off.
   double share = 0.0;
-  double mean = 0.0;     ///< out of 255
+  double mean = 0.0;  ///< out of 255
 };
 
 Apart apart(const render::PixelRows& a, const render::PixelRows& b) {
