@@ -17,7 +17,7 @@ namespace {
 Finished finished(const QString& program, const QStringList& arguments) {
   QProcess process;
   process.start(program, arguments);
-  if (!process.waitForFinished(120000)) {
+  if (!process.waitForFinished(600000)) {
     process.kill();
     process.waitForFinished();
     return {};

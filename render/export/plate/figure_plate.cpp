@@ -64,9 +64,10 @@ SeenArea drawnIn(const ExportOrder& order, model::MeshTrees& trees) {
   return SeenMap(scene, Screen(order.camera, order.page.sizeMm), &trees).drawnArea();
 }
 
-/// Tells whether more labels find no room than do.
-bool mostAreOut(const LabelPlate& plate) {
-  return plate.layout.leftOut.size() > plate.layout.labels.size();
+/// Tells whether fewer than so many in a hundred labels find room.
+bool findFewer(const LabelPlate& plate, std::size_t percent) {
+  const std::size_t placed = plate.layout.labels.size();
+  return 100 * placed < percent * (placed + plate.layout.leftOut.size());
 }
 
 /// Returns the labels that stand on what the picture shows.
@@ -108,11 +109,13 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   LabelTurn beside = turn;
   beside.drawn = drawn && !turn.anywhere ? &*drawn : nullptr;
   plate.labels = labelPlate(order.scene, screen, style, trees, beside);
-  if (beside.drawn && mostAreOut(*plate.labels)) {
+  constexpr std::size_t hardlyAny = 25;
+  constexpr std::size_t most = 50;
+  if (beside.drawn && findFewer(*plate.labels, hardlyAny)) {
     // Where anatomy fills the picture there is no ground beside it: rather than not at all labels
     // stand on it, with their halos.
     LabelPlate over = labelPlate(order.scene, screen, style, trees, turn);
-    if (!mostAreOut(over)) {
+    if (!findFewer(over, most)) {
       plate.labels = std::move(over);
       addLabels(plate.notes, Kind::labelsOnAnatomy, order, labelsOn(*drawn, *plate.labels));
     }
