@@ -9,6 +9,7 @@
 
 #include "render/labels/seen_layer.h"
 #include "render/lines/stages.h"
+#include "render/sight/rules.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/sectioned_surface.h"
 
@@ -21,9 +22,11 @@ float distanceOf(float key, bool perspective) {
   return perspective ? -1.0f / key : key;
 }
 
-/// Returns the key that much nearer to the eye, as contour.frag.glsl lifts lines.
+/// Returns the key that much nearer to the eye.
 float lifted(float key, float mm, bool perspective) {
-  return perspective ? -1.0f / std::max(-1.0f / key - mm, 1e-3f) : key - mm;
+  const float to =
+      rule::liftedDistance(distanceOf(key, perspective), mm, perspective ? 1.0f : 0.0f);
+  return perspective ? -1.0f / to : to;
 }
 
 }  // namespace

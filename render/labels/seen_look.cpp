@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/lines/stages.h"
+#include "render/sight/rules.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
@@ -20,12 +21,11 @@ constexpr float unevenShade = 0.3f;
 constexpr float usualPen = 2.0f;  // λ, METHOD §4
 
 /// Returns how much a shade shows of its colour where the surface has that cosine between its
-/// normal and the line of sight, as phong.glsl has it without highlights, which are white.
+/// normal and the line of sight, without highlights, which are white.
 float tone(float facing, float entered) {
   constexpr float inShadow = 0.3f;  // a pure colour's
   constexpr float inLight = 1.0f;
-  const float light = facing * (1.3f - 0.3f * facing);
-  const float shaded = inShadow + light * (inLight - inShadow);
+  const float shaded = glm::mix(inShadow, inLight, rule::headlight(facing));
   return entered * shaded + (1.0f - entered) * inLight;
 }
 }  // namespace
@@ -60,16 +60,8 @@ SeenFill SeenLook::surfaceAt(float shading, float complete, float facing, float 
     wash.cover = veilStrength * m_opacity;
   else if (m_fill == model::Fill::tint)
     wash = {tintStrength * m_opacity, tintStrength * m_opacity};
-  // As surface.frag.glsl has it.
-  constexpr float quarterTurn = 1.5707963f;
-  const float threshold = quarterTurn * (1.0f - shading);
-  const float angle = std::acos(std::clamp(facing, 0.0f, 1.0f));
-  const float byAngle =
-      shading > 0.0f
-          ? std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f)
-          : 0.0f;
-  const float byLight = bent * (1.0f - shading) + shading;
-  const float entered = byAngle * byLight + (1.0f - byAngle * byLight) * complete;
+  const float angle = rule::enteringAngle(std::clamp(facing, 0.0f, 1.0f), 0.0f);
+  const float entered = rule::enteredAt(angle, bent, shading, complete);
   const float shade = entered * m_opacity;
   const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), entered);
   return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};

@@ -12,11 +12,11 @@
 #include "model/base/lanes.h"
 #include "model/base/parallel.h"
 #include "render/raster/rounding.h"
+#include "render/sight/fill_shading.h"
+#include "render/sight/rules.h"
 #include "render/software/line_sight.h"
 #include "render/software/paper.h"
 #include "render/software/trims.h"
-#include "render/strokes/fill_shading.h"
-#include "render/strokes/window_depth.h"
 
 namespace sline::render {
 
@@ -67,7 +67,7 @@ Capsule capsuleOf(const InkDraw& draw, const Stroke& s, std::uint32_t sight) {
   c.edge = s.kind == StrokeKind::hatching ? s.softness : 1.0f;
   c.inner = s.kind == StrokeKind::contour ? s.innerShare : 1.0f;
   c.lift = draw.kind == InkKind::contours
-               ? depthLift(0.5f * (s.depthA + s.depthB), 2.0f * s.tolerance, draw.projection)
+               ? rule::depthLift(0.5f * (s.depthA + s.depthB), 2.0f * s.tolerance, draw.projection)
                : 0.0f;
   c.steps = inkSteps(s);
   c.sight = sight;

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/strokes/window_depth.h"
+#include "render/sight/rules.h"
 
 namespace sline::render {
 
@@ -54,9 +54,9 @@ int contourLook(const LayerPixels& pixels, const Place& place, const glm::vec2& 
 std::uint32_t lineSight(const LayerPixels& pixels, const InkDraw& draw, const Stroke& stroke,
                         int steps) {
   const float middle = 0.5f * (stroke.depthA + stroke.depthB);
-  const float tolerance = depthLift(middle, stroke.tolerance, draw.projection);
+  const float tolerance = rule::depthLift(middle, stroke.tolerance, draw.projection);
   const bool contours = draw.kind != InkKind::surfaceLines;
-  const float sheet = contours ? depthLift(middle, draw.sheet, draw.projection) : 0.0f;
+  const float sheet = contours ? rule::depthLift(middle, draw.sheet, draw.projection) : 0.0f;
   std::uint32_t sight = 0;
   for (int i = 0; i <= steps; ++i) {
     const float t = float(i) / float(std::max(steps, 1));

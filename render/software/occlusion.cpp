@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "model/base/parallel.h"
+#include "render/sight/rules.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/structure_lines.h"
-#include "render/strokes/window_depth.h"
 
 namespace sline::render {
 
@@ -115,7 +115,7 @@ void Occlusion::add(const LayerPixels& pixels) {
       const float depth = farthest(columns, rows);
       float& known = m_farthest[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
       if (depth <= 1.0f)
-        known = std::min(known, eyeDistance(depth, m_view.depthTerms()));
+        known = std::min(known, rule::eyeDistance(depth, m_view.depthTerms()));
     }
   });
 }
@@ -135,14 +135,14 @@ bool Occlusion::hides(const DrawnStructure& shown) const {
 bool Occlusion::hides(const model::Surface& surface, const model::Cluster& cluster,
                       int around) const {
   const model::Sphere& bounds = cluster.bounds;
-  const float middle = eyeDistance(m_view.project(bounds.centre).depth, m_view.depthTerms());
+  const float middle = rule::eyeDistance(m_view.project(bounds.centre).depth, m_view.depthTerms());
   return covers(grown(m_view.bounds(bounds), around), middle - bounds.radius - inFrontOf(surface));
 }
 
 bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke, int around) const {
   const float nearest = std::min(stroke.depthA, stroke.depthB);
   return covers(grown(strokeBounds(stroke), around),
-                eyeDistance(nearest, m_view.depthTerms()) -
+                rule::eyeDistance(nearest, m_view.depthTerms()) -
                     std::max(inFrontOf(surface), 2.0f * stroke.tolerance));
 }
 
@@ -166,7 +166,7 @@ bool Occlusion::unmarkHidden(const LayerPixels& pixels, TileMask& mask) const {
       return true;
     if (column < 0 || row < 0 || column >= m_columns || row >= m_rows ||
         !(m_farthest[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)] <
-          eyeDistance(nearest, m_view.depthTerms())))
+          rule::eyeDistance(nearest, m_view.depthTerms())))
       return false;
     hidden = true;
     return true;

@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/lanes.h"
+#include "render/sight/rules.h"
 #include "render/software/channels.h"
-#include "render/strokes/window_depth.h"
 
 namespace sline::render {
 
@@ -125,8 +125,8 @@ Trimmer::Strip Trimmer::stripOf(const Stroke& s) const {
               .slabs = {},
               .depth = s.depthA,
               .rise = s.depthB - s.depthA,
-              .lift = depthLift(middle, s.tolerance, m_draw.projection),
-              .sheet = depthLift(middle, m_draw.sheet, m_draw.projection)};
+              .lift = rule::depthLift(middle, s.tolerance, m_draw.projection),
+              .sheet = rule::depthLift(middle, m_draw.sheet, m_draw.projection)};
   strip.slabs.set(0, strip.outward, -m_reach, m_reach);
   strip.slabs.set(1, fromA, 0.0f, most);
   strip.slabs.set(2, fromB, -most, glm::dot(fromB, ab));

@@ -9,7 +9,7 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/view_fields.h"
-#include "render/strokes/fill_shading.h"
+#include "render/sight/fill_shading.h"
 
 namespace sline::render {
 

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/strokes/window_depth.h"
+#include "render/sight/rules.h"
 
 namespace sline::render {
 
@@ -85,14 +85,12 @@ class StrokeSampler {
   }
 
   float depthAt(const glm::vec2& pixel) const { return m_scene.own.depthAt(pixel); }
-  float distanceAt(float depth) const { return eyeDistance(depth, m_scene.projection); }
+  float distanceAt(float depth) const { return rule::eyeDistance(depth, m_scene.projection); }
 
-  /// Lifts a depth as contour.frag.glsl does.
+  /// Returns the depth of what lies nearer to the eye by that much.
   float lifted(float windowDepth, float mm) const {
-    const glm::vec4& p = m_scene.projection;
-    const float distance = distanceAt(windowDepth) - mm;
-    const float z = (p.y - distance * p.x) / (p.w - distance * p.z);
-    return std::clamp(0.5f * z + 0.5f, 0.0f, windowDepth);
+    const float lift = rule::depthLift(windowDepth, mm, m_scene.projection);
+    return std::clamp(windowDepth - lift, 0.0f, windowDepth);
   }
 
   /// Tests a contour as sight.frag.glsl does.

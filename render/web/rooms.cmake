@@ -5,4 +5,4 @@ set(SLINE_PAGE_ROOMS
   model/anatomy model/base model/edit model/fairing model/geometry model/packed_scene model/scalars
   model/scene model/scene_json
   render/gpu render/labels render/lines render/passes render/picking render/picture render/raster
-  render/software render/strokes render/vectors render/web)
+  render/sight render/software render/strokes render/vectors render/web)

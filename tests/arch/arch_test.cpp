@@ -76,6 +76,12 @@ class ArchTest : public QObject {
     QTest::newRow("a pass knows no other")
         << "render/passes/hatching/a.cpp"
         << "#include \"render/passes/surface/surface_pass.h\"" << false;
+    QTest::newRow("rules that shaders share")
+        << "render/sight/a.h"
+        << "#include \"render/sight/rules/depth.glsl\"" << true;
+    QTest::newRow("rules come by their header")
+        << "render/labels/a.cpp"
+        << "#include \"render/sight/rules/depth.glsl\"" << false;
     QTest::newRow("no room") << "render/somewhere/a.cpp"
                              << "#include \"model/scene/scene.h\"" << false;
     QTest::newRow("a writer knows no other") << "render/export/svg/a.cpp"

@@ -60,6 +60,9 @@ void checkRoom(const File& file, const std::string& included, const House& house
   // Generated files have no folder, and shaders' snippets no room.
   if (to.empty() && (included.find('/') == std::string::npos || isUnder(included, "resources")))
     return;
+  // What a room shares with shaders lies in a folder of its own.
+  if (included.ends_with(".glsl") && included.starts_with(from + "/"))
+    return;
   const Room& room = house.rooms.at(from);
   if (!room.mayUse.contains(to) && !room.wholeLayers.contains(to.substr(0, to.find('/'))))
     out.push_back(file.path + " includes \"" + included + "\": " + from + " may not enter " +

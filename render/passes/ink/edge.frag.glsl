@@ -2,7 +2,7 @@
 // Draws the soft edges of a fill, in its own colour.
 #include "capsule.glsl"
 #include "outside.glsl"
-#include "phong.glsl"
+#include "shaded_colour.glsl"
 uniform vec4 paint;  // the fill's colour and opacity
 uniform vec3 key;    // towards the key light, x and y in the picture; 0: there is none
 
@@ -16,9 +16,9 @@ void main() {
     discard;
   coverage *= paint.a;
   // At its contour a surface's normal lies in the picture, across the line.
-  vec3 shaded = key != vec3(0.0)
-      ? phongWithKey(paint.rgb, 0.1, dot(outwardAt(c.t), key.xy) + 0.1 * key.z, 0.0)
-      : phong(paint.rgb, 0.1);
-  fragment = vec4(min(shaded, 1.0) * coverage, coverage);
+  vec3 shade = key != vec3(0.0)
+      ? shadedColour(paint.rgb, keyLight(0.1, dot(outwardAt(c.t), key.xy) + 0.1 * key.z), 0.0)
+      : shadedColour(paint.rgb, headlight(0.1), highlight(0.1));
+  fragment = vec4(min(shade, 1.0) * coverage, coverage);
   gl_FragDepth = c.depth;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "phong.glsl"
+#include "shaded_colour.glsl"
 in vec3 surfaceNormal;
 in vec3 toEye;
 
@@ -9,5 +9,5 @@ out vec4 fragment;
 
 void main() {
   float nv = min(abs(dot(normalize(surfaceNormal), normalize(toEye))), 1.0);
-  fragment = vec4(min(phong(colour, nv), 1.0), 1.0);
+  fragment = vec4(min(shadedColour(colour, headlight(nv), highlight(nv)), 1.0), 1.0);
 }

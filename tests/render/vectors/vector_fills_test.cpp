@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/sight/rules.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/render/vectors/path_points.h"
 #include "tests/support/shapes.h"
@@ -95,16 +96,15 @@ glm::vec3 paintedAt(const render::VectorDrawing& drawn, float x, float z) {
   return page;
 }
 
-/// Returns the colour that phong.glsl gives for a ball of that radius.
+/// Returns the colour that a lamp at the eye gives a ball of that radius.
 glm::vec3 shaded(const Colour& own, float radius, float x, float z) {
   const glm::vec3 colour = glm::vec3(own.red, own.green, own.blue) / 255.0f;
   const float facing = std::sqrt(std::max(0.0f, 1.0f - (x * x + z * z) / (radius * radius)));
-  const float chroma =
-      std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
-  const glm::vec3 shadow =
-      (colour * colour * 0.42f + colour * 0.08f) * (1.0f - 0.4f * chroma * chroma);
-  const float light = facing * (1.3f - 0.3f * facing);
-  const glm::vec3 value = glm::mix(shadow, colour * 1.02f, light) + 0.16f * std::pow(facing, 36.0f);
+  const glm::vec3 shadow = render::rule::inShadow(colour);
+  glm::vec3 value(0.0f);
+  for (int c = 0; c < 3; ++c)
+    value[c] = render::rule::shaded(shadow[c], colour[c], render::rule::headlight(facing),
+                                    render::rule::highlight(facing));
   return 255.0f * glm::min(value, 1.0f);
 }
 

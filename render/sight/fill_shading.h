@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shades fills on the processor, as surface.frag.glsl does on a graphics card (METHOD §7).
+// Shades fills on the processor by the rules of shade.glsl (METHOD §7).
 #pragma once
 
 #include <array>

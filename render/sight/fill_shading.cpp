@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/strokes/fill_shading.h"
+#include "render/sight/fill_shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,49 +8,13 @@
 
 #include "model/base/wide_loops.h"
 #include "render/raster/rounding.h"
+#include "render/sight/rules.h"
 
 namespace sline::render {
 
 namespace {
 
-constexpr float quarterTurn = 1.5707963268f;
 constexpr std::size_t rowPiece = 64;
-
-/// The functions of phong.glsl, one number at a time so that compilers work on several samples at
-/// once.
-glm::vec3 inShadow(const glm::vec3& colour) {
-  const float chroma =
-      std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
-  return (colour * colour * 0.42f + colour * 0.08f) * (1.0f - 0.4f * chroma * chroma);
-}
-
-inline float headlight(float facing) {
-  return facing * (1.3f - 0.3f * facing);
-}
-
-inline float keyLight(float facing, float lit) {
-  const float key = std::max((lit + 0.3f) / 1.3f, 0.0f);
-  const float head = headlight(facing);
-  return std::min(0.22f * head + std::sqrt(head) * key, 1.0f);
-}
-
-/// Returns 0.16·x³⁶.
-inline float highlight(float x) {
-  const float x2 = x * x;
-  const float x4 = x2 * x2;
-  const float x8 = x4 * x4;
-  const float x16 = x8 * x8;
-  return 0.16f * (x16 * x16 * x4);
-}
-
-/// Returns the arc cosine of 0 … 1, within 7·10⁻⁵ (Abramowitz and Stegun 1964, 4.4.45).
-inline float arcCosine(float x) {
-  return std::sqrt(1.0f - x) * (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
-}
-
-inline float clamp01(float x) {
-  return std::min(std::max(x, 0.0f), 1.0f);
-}
 
 /// What of a place's light decides how its fill looks.
 struct Lit {
@@ -62,15 +26,13 @@ struct Lit {
 /// What a fill's rules come to, in numbers: compilers work on one sample at a time where a loop
 /// asks the same question at each.
 struct FillNumbers {
-  float start;      ///< the angle from which shading enters
-  float direction;  ///< 1: it grows from there as the surface turns away, −1: it falls
+  float onDark;     ///< 1: shading enters as light, 0: from the rim
   float turned;     ///< what turns away by more than this is seen from behind
   float least;      ///< see SurfaceFill::leastFacing
   glm::vec3 glaze;  ///< what a thin fill shows at least
 
   explicit FillNumbers(const SurfaceFill& fill)
-      : start(fill.darkGround ? quarterTurn : 0.0f),
-        direction(fill.darkGround ? -1.0f : 1.0f),
+      : onDark(fill.darkGround ? 1.0f : 0.0f),
         turned(fill.twoSided ? 0.0f : -most),
         least(fill.leastFacing),
         glaze(fill.darkGround ? glm::vec3(-most) : fill.colour) {}
@@ -84,17 +46,10 @@ inline float facingAt(const FillNumbers& fill, float turned, float side) {
   return std::min(std::max(turned * side, fill.least), 1.0f);
 }
 
-/// S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
-/// Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
-/// from the parts that face the eye.
+/// Returns the share of shading that has entered.
 inline float enteredAt(const FillNumbers& fill, float facing, float gradient, float shading,
                        float complete) {
-  const float angle = fill.start + fill.direction * arcCosine(facing);
-  const float threshold = quarterTurn * (1.0f - shading);
-  const float byAngle = clamp01((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f));
-  const float byLight = clamp01(gradient) * (1.0f - shading) + shading;
-  const float entered = byAngle * byLight;
-  return entered * (1.0f - complete) + complete;
+  return rule::enteredAt(rule::enteringAngle(facing, fill.onDark), gradient, shading, complete);
 }
 
 /// The colours that one channel of a fill is mixed from.
@@ -105,13 +60,10 @@ struct ChannelColours {
   float wash;
 };
 
-/// Mixes one channel. A thin glaze shows the colour itself; its shadows, which would grey the
-/// paper, deepen as it closes.
+/// Mixes one channel.
 inline float channel(const ChannelColours& of, const Lit& lit, float opacity) {
-  const float shaded =
-      of.shadow * (1.0f - lit.light) + 1.02f * of.colour * lit.light + lit.highlight;
-  const float glazed = shaded * lit.entered + std::max(shaded, of.glaze) * (1.0f - lit.entered);
-  return std::min(glazed, 1.0f) * opacity + of.wash * (1.0f - opacity);
+  const float shade = rule::shaded(of.shadow, of.colour, lit.light, lit.highlight);
+  return rule::layered(rule::glazed(shade, of.glaze, lit.entered), opacity, of.wash);
 }
 
 inline std::uint32_t byte(float value) {
@@ -123,21 +75,26 @@ inline std::uint32_t byte(float value) {
 glm::vec3 edgeColour(const glm::vec3& colour, const glm::vec3& key, const glm::vec2& outward) {
   constexpr float facing = 0.1f;
   const bool keyed = key != glm::vec3(0.0f);
-  const float light = keyed ? keyLight(facing, glm::dot(outward, glm::vec2(key)) + facing * key.z)
-                            : headlight(facing);
-  return glm::mix(inShadow(colour), 1.02f * colour, light) + highlight(keyed ? 0.0f : facing);
+  const float light =
+      keyed ? rule::keyLight(facing, glm::dot(outward, glm::vec2(key)) + facing * key.z)
+            : rule::headlight(facing);
+  const glm::vec3 shadow = rule::inShadow(colour);
+  const float glint = rule::highlight(keyed ? 0.0f : facing);
+  glm::vec3 edge(0.0f);
+  for (int c = 0; c < 3; ++c)
+    edge[c] = rule::shaded(shadow[c], colour[c], light, glint);
+  return edge;
 }
 
 FillShading::FillShading(const SurfaceFill& fill, const glm::vec3& key)
-    : m_fill(fill), m_key(key), m_shadow(inShadow(fill.colour)) {
+    : m_fill(fill), m_key(key), m_shadow(rule::inShadow(fill.colour)) {
   if (fill.gammaOffsets)
     m_stages = fillStages();
 }
 
 FillShading::Stages FillShading::stagesAt(float offset) const {
   const float gamma = std::clamp(m_fill.gamma + offset, 0.0f, 5.0f);
-  const float at = gamma < 4.0f ? 16.0f * std::sqrt(std::max(gamma - 3.0f, 0.0f))
-                                : 16.0f + 16.0f * (gamma - 4.0f);
+  const float at = rule::stagePlace(gamma);
   const std::size_t low = std::min<std::size_t>(std::size_t(at), m_stages.size() - 2);
   const glm::vec4 stage = glm::mix(m_stages[low], m_stages[low + 1], at - float(low));
   return {stage.x, stage.y};
@@ -152,12 +109,12 @@ glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& toward
   const Stages stages =
       m_fill.gammaOffsets ? stagesAt(offset) : Stages{m_fill.shading, m_fill.complete};
   Lit lit{.entered = enteredAt(numbers, facing, gradient * side, stages.shading, stages.complete),
-          .light = headlight(facing),
-          .highlight = highlight(facing)};
+          .light = rule::headlight(facing),
+          .highlight = rule::highlight(facing)};
   if (m_key != glm::vec3(0.0f)) {
     const glm::vec3 half = glm::normalize(m_key + towardsEye);
-    lit.light = keyLight(facing, side * glm::dot(normal, m_key));
-    lit.highlight = highlight(std::max(side * glm::dot(normal, half), 0.0f));
+    lit.light = rule::keyLight(facing, side * glm::dot(normal, m_key));
+    lit.highlight = rule::highlight(std::max(side * glm::dot(normal, half), 0.0f));
   }
   glm::vec4 colour(0.0f);
   const float opacity = lit.entered * m_fill.opacity;
@@ -206,16 +163,17 @@ template <bool keyed, bool varies, bool byForm>
     Lit lit{.entered = enteredAt(numbers, facing, byForm ? gradient[i] * side : 0.0f,
                                  varies ? shading[std::size_t(i)] : fillShading,
                                  varies ? complete[std::size_t(i)] : fillComplete),
-            .light = headlight(facing),
-            .highlight = highlight(facing)};
+            .light = rule::headlight(facing),
+            .highlight = rule::highlight(facing)};
     if (keyed) {
       const float hx = key.x + vx * away;
       const float hy = key.y + vy * away;
       const float hz = key.z + vz * away;
       const float half = 1.0f / std::sqrt(std::max(hx * hx + hy * hy + hz * hz, 1e-20f));
-      lit.light = keyLight(facing, side * unit * (nx[i] * key.x + ny[i] * key.y + nz[i] * key.z));
-      lit.highlight =
-          highlight(std::max(side * unit * half * (nx[i] * hx + ny[i] * hy + nz[i] * hz), 0.0f));
+      lit.light =
+          rule::keyLight(facing, side * unit * (nx[i] * key.x + ny[i] * key.y + nz[i] * key.z));
+      lit.highlight = rule::highlight(
+          std::max(side * unit * half * (nx[i] * hx + ny[i] * hy + nz[i] * hz), 0.0f));
     }
     const float opacity = lit.entered * fillOpacity;
     const std::uint32_t red = byte(channel(reds, lit, opacity));

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that a rule comes to the same in a shader as in C++: on a grid of 256 × 256 inputs, with
+// the driver's own compiler.
+#include <QFile>
+#include <QTest>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "render/gpu/device.h"
+#include "render/gpu/headless/context.h"
+#include "render/sight/rules.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::render;
+
+using Values = std::function<glm::vec4(float, float)>;
+Q_DECLARE_METATYPE(Values)
+
+namespace {
+
+constexpr int side = 256;
+
+constexpr const char* vertexText =
+    "layout(location = 0) in vec2 place;\n"
+    "void main() {\n"
+    "  gl_Position = vec4(place + 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1), 0.0, 1.0);\n"
+    "}\n";
+
+std::string contents(const char* name) {
+  QFile file(QStringLiteral(SLINE_RULES "/") + QLatin1String(name));
+  return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+/// What a perspective between 100 and 1000 mm has, and a parallel projection of the same.
+const glm::vec4 perspective{-1100.0f / 900.0f, -200000.0f / 900.0f, -1.0f, 0.0f};
+const glm::vec4 parallel{-2.0f / 900.0f, -1100.0f / 900.0f, 0.0f, 1.0f};
+
+}  // namespace
+
+class RuleTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<gpu::HeadlessContext> m_context;
+  std::unique_ptr<gpu::Device> m_device;
+
+ private slots:
+  void initTestCase();
+  void shadersAgree_data();
+  void shadersAgree();
+  void entersAsPublished();
+  void liftsStayBeforeTheEye();
+};
+
+void RuleTest::initTestCase() {
+  auto context = gpu::HeadlessContext::create();
+  if (!context)
+    SLINE_ABSENT(context.error().text().c_str());
+  m_context = std::move(*context);
+  auto device = gpu::Device::create();
+  QVERIFY2(device.ok(), device.ok() ? "" : device.error().text().c_str());
+  m_device = std::move(*device);
+}
+
+void RuleTest::shadersAgree_data() {
+  QTest::addColumn<QString>("shader");
+  QTest::addColumn<Values>("values");
+  QTest::newRow("light") << "vec4(headlight(x), keyLight(x, 2.0 * y - 1.0), 5.0 * highlight(y), "
+                            "arcCosine(x) / 2.0)"
+                         << Values([](float x, float y) {
+                              return glm::vec4(
+                                  rule::headlight(x), rule::keyLight(x, 2.0f * y - 1.0f),
+                                  5.0f * rule::highlight(y), rule::arcCosine(x) / 2.0f);
+                            });
+  QTest::newRow("colours")
+      << "vec4(inShadow(vec3(x, y, 0.3)), shaded(0.1, x, y, 0.0))" << Values([](float x, float y) {
+           return glm::vec4(rule::inShadow({x, y, 0.3f}), rule::shaded(0.1f, x, y, 0.0f));
+         });
+  for (const float onDark : {0.0f, 1.0f})
+    QTest::addRow("entering, %s", onDark > 0.0f ? "on a dark ground" : "on paper")
+        << QString(
+               "vec4(enteredAt(enteringAngle(x, %1), y, 0.0, 0.0), "
+               "enteredAt(enteringAngle(x, %1), y, 0.4, 0.0), "
+               "enteredAt(enteringAngle(x, %1), 0.5, 1.0, y), glazed(x, y, 0.3))")
+               .arg(double(onDark), 0, 'f', 1)
+        << Values([onDark](float x, float y) {
+             const float angle = rule::enteringAngle(x, onDark);
+             return glm::vec4(rule::enteredAt(angle, y, 0.0f, 0.0f),
+                              rule::enteredAt(angle, y, 0.4f, 0.0f),
+                              rule::enteredAt(angle, 0.5f, 1.0f, y), rule::glazed(x, y, 0.3f));
+           });
+  QTest::newRow("layers and stages")
+      << "vec4(layered(x, y, 0.25), stagePlace(5.0 * x) / 32.0, 0.0, 1.0)"
+      << Values([](float x, float y) {
+           return glm::vec4(rule::layered(x, y, 0.25f), rule::stagePlace(5.0f * x) / 32.0f, 0.0f,
+                            1.0f);
+         });
+  const auto depths = [](const char* name, const glm::vec4& projection) {
+    QTest::newRow(name) << QString(
+                               "vec4(eyeDistance(x, p) / 1000.0, depthLift(x, 300.0 * y, p), "
+                               "liftedDistance(1000.0 * x, 300.0 * y, p.z) / 1000.0, 1.0)")
+                               .replace(", p)", QString(", vec4(%1, %2, %3, %4))")
+                                                    .arg(double(projection.x), 0, 'f', 9)
+                                                    .arg(double(projection.y), 0, 'f', 9)
+                                                    .arg(double(projection.z), 0, 'f', 9)
+                                                    .arg(double(projection.w), 0, 'f', 9))
+                               .replace("p.z", QString("(%1)").arg(double(projection.z), 0, 'f', 1))
+                        << Values([projection](float x, float y) {
+                             return glm::vec4(
+                                 rule::eyeDistance(x, projection) / 1000.0f,
+                                 rule::depthLift(x, 300.0f * y, projection),
+                                 rule::liftedDistance(1000.0f * x, 300.0f * y, projection.z) /
+                                     1000.0f,
+                                 1.0f);
+                           });
+  };
+  depths("depths in perspective", perspective);
+  depths("depths in parallel projection", parallel);
+}
+
+void RuleTest::shadersAgree() {
+  QFETCH(QString, shader);
+  QFETCH(Values, values);
+  const std::string shade = contents("shade.glsl");
+  const std::string depth = contents("depth.glsl");
+  const std::string fragment =
+      "#include \"shade.glsl\"\n#include \"depth.glsl\"\nout vec4 f;\nvoid main() {\n"
+      "  float x = (gl_FragCoord.x - 0.5) / 255.0;\n  float y = (gl_FragCoord.y - 0.5) / 255.0;\n"
+      "  f = " +
+      shader.toStdString() + ";\n}\n";
+  const std::array<gpu::ShaderFile, 4> files{{{"grid.vert", vertexText},
+                                              {"grid.frag", fragment},
+                                              {"shade.glsl", shade},
+                                              {"depth.glsl", depth}}};
+  const auto program = gpu::Program::create(
+      files, m_device->dialect(),
+      {.name = "grid", .vertexFile = "grid.vert", .fragmentFile = "grid.frag", .uniforms = {}});
+  QVERIFY2(program.ok(), program.ok() ? "" : program.error().text().c_str());
+  const gpu::Texture colours(gpu::TextureFormat::rgba16, {side, side}, "colours");
+  const auto target = gpu::Target::create({{&colours}, nullptr}, "grid");
+  QVERIFY(target.ok());
+  gpu::Buffer places(gpu::BufferKind::vertices, "places");
+  const std::array<float, 2> corner{-1.0f, -1.0f};
+  places.fill(std::as_bytes(std::span(corner)));
+  const gpu::Geometry geometry({{.buffer = &places,
+                                 .stride = 8,
+                                 .attributes = {{0, 2, gpu::AttributeType::float32, 0}},
+                                 .perInstance = true}},
+                               nullptr, "grid");
+  gpu::DrawState state;
+  state.viewport = {0, 0, side, side};
+  m_device->quads({**target, **program, geometry, state}, 1);
+  std::vector<std::uint16_t> drawn(std::size_t(side) * side * 4);
+  QVERIFY(m_device->read(**target, {0, 0, side, side}, drawn).ok());
+
+  float most = 0.0f;
+  float range = 0.0f;
+  for (int i = 0; i < side * side; ++i) {
+    const glm::vec4 own = values(float(i % side) / 255.0f, float(i / side) / 255.0f);
+    for (int c = 0; c < 4; ++c) {
+      const float found = float(drawn[std::size_t(4 * i + c)]) / 65535.0f;
+      most = std::max(most, std::abs(found - std::clamp(own[c], 0.0f, 1.0f)));
+      range = std::max(range, found);
+    }
+  }
+  QVERIFY(range > 0.5f);
+  QVERIFY2(most < 2e-4f, qPrintable(QString::number(double(most))));
+}
+
+/// S eq. 11: nothing enters before the threshold, all has where T_P and what follows are 1.
+void RuleTest::entersAsPublished() {
+  QCOMPARE(rule::enteredAt(rule::enteringAngle(0.0f, 0.0f), 1.0f, 0.0f, 0.0f), 0.0f);
+  QCOMPARE(rule::enteredAt(rule::enteringAngle(1.0f, 0.0f), 1.0f, 0.5f, 0.0f), 0.0f);
+  QVERIFY(rule::enteredAt(rule::enteringAngle(0.0f, 0.0f), 1.0f, 0.5f, 0.0f) > 0.999f);
+  // On a dark ground light enters where paper has none.
+  QVERIFY(rule::enteredAt(rule::enteringAngle(1.0f, 1.0f), 1.0f, 0.5f, 0.0f) > 0.999f);
+  QCOMPARE(rule::enteredAt(rule::enteringAngle(0.0f, 1.0f), 1.0f, 0.5f, 0.0f), 0.0f);
+  for (const float facing : {0.0f, 0.4f, 1.0f})
+    QCOMPARE(rule::enteredAt(rule::enteringAngle(facing, 0.0f), 0.0f, 1.0f, 1.0f), 1.0f);
+  for (float x = 0.0f; x <= 1.0f; x += 1e-3f)
+    QVERIFY(std::abs(rule::arcCosine(x) - std::acos(x)) < 7e-5f);
+}
+
+/// A line that would come to lie behind the eye, lifted by more than its distance, stays before it.
+void RuleTest::liftsStayBeforeTheEye() {
+  const float depth = 0.02f;  // 102 mm from the eye
+  const float away = rule::eyeDistance(depth, perspective);
+  QVERIFY(std::abs(away - 101.83f) < 0.1f);
+  QVERIFY(rule::liftedDistance(away, 500.0f, perspective.z) > 0.0f);
+  QCOMPARE(rule::liftedDistance(away, 500.0f, parallel.z), away - 500.0f);
+  QVERIFY(rule::depthLift(depth, 500.0f, perspective) > rule::depthLift(depth, 50.0f, perspective));
+  QVERIFY(rule::depthLift(depth, 50.0f, perspective) > 0.0f);
+}
+
+SLINE_TEST(RuleTest)
+#include "rule_test.moc"
