@@ -379,12 +379,19 @@ class FilmLabelsTest : public QObject {
           ends);
       QVERIFY(verdicts.ok());
       for (std::size_t i = 0; i < ends.size(); ++i) {
-        const LeaderFault fault = (*verdicts)[i].fault;
-        QVERIFY2(fault != LeaderFault::onAnother && fault != LeaderFault::besideIt,
-                 qPrintable(
-                     QString("frame %1: %2")
-                         .arg(at)
-                         .arg(QString::fromStdString(frame.scene.find(ends[i].structure)->name))));
+        const LeaderVerdict& verdict = (*verdicts)[i];
+        const auto nameOf = [&](model::NodeId id) {
+          return QString::fromStdString(frame.scene.find(id)->name);
+        };
+        QVERIFY2(verdict.fault != LeaderFault::onAnother && verdict.fault != LeaderFault::besideIt,
+                 qPrintable(QString("frame %1: %2 at %3, %4, %5 its own, %6 another's, one sees %7")
+                                .arg(at)
+                                .arg(nameOf(ends[i].structure))
+                                .arg(ends[i].place.x)
+                                .arg(ends[i].place.y)
+                                .arg(verdict.own)
+                                .arg(verdict.another)
+                                .arg(verdict.seen ? nameOf(*verdict.seen) : QString())));
       }
       judged += ends.size();
     }
