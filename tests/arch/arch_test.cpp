@@ -203,6 +203,12 @@ class ArchTest : public QObject {
     QVERIFY(
         checkLicenceLine({"a.sh", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n"}).empty());
     QVERIFY(!checkTopLevel({"app", "scripts"}).empty());
+    const std::set<std::string> sections = methodSections("## 7. A\n1. b\n   2. c\n## 10. D\n");
+    QCOMPARE(sections, (std::set<std::string>{"7", "7.1", "10"}));
+    QVERIFY(checkCitations({"a.h", "// S eq. 2 (METHOD §7, §10).\n"}, sections).empty());
+    QVERIFY(checkCitations({"a.h", "// See METHOD\n/// §7.1\n"}, sections).empty());
+    QVERIFY(!checkCitations({"a.h", "// METHOD §7, §11\n"}, sections).empty());
+    QVERIFY(!checkCitations({"a.h", "// METHOD §7.2\n"}, sections).empty());
     QVERIFY(!checkNeeded("libc.so.6 libQt6Core.so.6 libQt6Widgets.so.6").empty());
     QVERIFY(!checkNeeded("libc.so.6 libOpenImageIO.so.2.4").empty());
     QVERIFY(checkNeeded("libQt6Gui.so.6 libvtkCommonCore-9.1.so.1").empty());
@@ -253,6 +259,16 @@ class ArchTest : public QObject {
     for (const File& file :
          tree({"*.h", "*.cpp", "*.glsl", "*.sh", "*.cmake", "CMakeLists.txt", "run"}))
       append(all, checkLicenceLine(file));
+    report(all);
+  }
+  void citations() {
+    const std::set<std::string> sections =
+        methodSections(contents(QStringLiteral(SLINE_SOURCE_DIR "/render/METHOD.md")));
+    QVERIFY(sections.size() > 20);
+    Complaints all;
+    for (const File& file : tree({"*.h", "*.cpp", "*.glsl", "*.md"}))
+      if (!file.path.starts_with("tests/arch/"))
+        append(all, checkCitations(file, sections));
     report(all);
   }
   void topLevel() {

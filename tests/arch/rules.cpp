@@ -302,6 +302,33 @@ Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& pa
   return {file.path + " does not include " + own};
 }
 
+std::set<std::string> methodSections(const std::string& method) {
+  static const std::regex heading(R"(^## (\d+)\. )");
+  static const std::regex item(R"(^(\d+)\. )");
+  std::set<std::string> sections;
+  std::string section;
+  for (const std::string& line : linesOf(method))
+    if (std::smatch found; std::regex_search(line, found, heading))
+      sections.insert(section = found[1]);
+    else if (!section.empty() && std::regex_search(line, found, item))
+      sections.insert(section + "." + found[1].str());
+  return sections;
+}
+
+Complaints checkCitations(const File& file, const std::set<std::string>& sections) {
+  static const std::regex citation(R"(METHOD((?:,?\s+(?://+\s*)?(?:and\s+)?§\d+(?:\.\d+)?)+))");
+  static const std::regex number(R"(§(\d+(?:\.\d+)?))");
+  Complaints out;
+  for (std::sregex_iterator it(file.text.begin(), file.text.end(), citation), end; it != end;
+       ++it) {
+    const std::string cited = (*it)[1];
+    for (std::sregex_iterator one(cited.begin(), cited.end(), number); one != end; ++one)
+      if (!sections.contains((*one)[1]))
+        out.push_back(file.path + " cites METHOD " + one->str() + ", which render/METHOD.md lacks");
+  }
+  return out;
+}
+
 Complaints checkLicenceLine(const File& file) {
   const std::vector<std::string> lines = linesOf(file.text);
   for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i)

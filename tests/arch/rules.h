@@ -39,6 +39,10 @@ Complaints checkSizes(const File& file, const House& house);
 /// Checks that a source file includes its own header, if the tree has one, before anything else:
 /// this shows that the header compiles alone. `paths` are the tree's.
 Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& paths);
+/// Returns the sections of METHOD.md and the items in them: "7", "11.4".
+std::set<std::string> methodSections(const std::string& method);
+/// Checks that what a file cites of METHOD.md ("METHOD §7, §10", "METHOD §11.4") is there.
+Complaints checkCitations(const File& file, const std::set<std::string>& sections);
 /// The first lines hold the licence's SPDX line.
 Complaints checkLicenceLine(const File& file);
 /// Checks that the top level holds exactly what was agreed.
