@@ -49,7 +49,8 @@ bool Layouter::placeAtEdge(std::size_t i, LabelPost post) {
   m_fates[i].post = post;
   const int most = int(std::ceil(m_frame.size().y / step));
   for (int k = 0; k <= 2 * most; ++k) {
-    const float top = wanted + (k % 2 == 0 ? 1.0f : -1.0f) * float((k + 1) / 2) * step;
+    const int away = (k + 1) / 2;
+    const float top = wanted + float(k % 2 == 0 ? away : -away) * step;
     const LabelBox box{{low, top}, glm::vec2(low, top) + one.box};
     if (!within(box, m_frame) || !fits(i, box) || liesOver(*m_request.drawn, box))
       continue;

@@ -191,7 +191,7 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
 /// Brings what was read within what a scene may hold, and reports what was mended.
 Status bringWithinLimits(Imported& imported) {
   std::vector<SceneMending> mended;
-  const Status counts = bringWithinLimits(imported.scene, mended);
+  Status counts = bringWithinLimits(imported.scene, mended);
   for (const SceneMending& each : mended)
     imported.report.warnings.push_back({"", each.text()});
   return counts;
