@@ -38,6 +38,7 @@ std::vector<double> restsOf(const std::vector<model::View>& views, const FilmOpt
 model::Scene turnedScene(const model::Scene& scene, const Turntable& table) {
   constexpr int some = 24;
   std::vector<model::Camera> cameras;
+  cameras.reserve(some);
   for (int i = 0; i < some; ++i)
     cameras.push_back(table.at(double(i) / double(some)));
   return model::withFocusSeenFrom(scene, cameras);

@@ -128,11 +128,11 @@ class RowPacker {
 
 /// Tells whether the piece is whole squares of that side, and these have their places in the rows.
 bool fits(const PicturePiece& piece, int side, int top, const PixelRows& rows) {
-  const auto whole = [side](int pixels) { return pixels >= 0 && pixels % side == 0; };
+  const auto inSquares = [side](int pixels) { return pixels >= 0 && pixels % side == 0; };
   const std::size_t values = std::size_t(4) * std::size_t(std::max(piece.width, 0)) *
                              std::size_t(std::max(piece.height, 0));
-  return rows.whole() && whole(piece.width) && whole(piece.height) && whole(piece.left) &&
-         whole(piece.top) && piece.rgba.size() == values &&
+  return rows.whole() && inSquares(piece.width) && inSquares(piece.height) &&
+         inSquares(piece.left) && inSquares(piece.top) && piece.rgba.size() == values &&
          (piece.left + piece.width) / side <= rows.width && piece.top / side >= top &&
          (piece.top + piece.height) / side - top <= rows.height;
 }
