@@ -135,7 +135,8 @@ class UnitDecision {
     }
     for (const auto& [of, sizes] : alike)
       if (std::optional<UnitDoubt> doubt = doubtOf(sizes, std::get<float>(of)))
-        tell(std::move(*doubt), sizes, [&](const Part& part) { return isAlike(part, of); });
+        tell(std::move(*doubt), sizes,
+             [this, &of = of](const Part& part) { return isAlike(part, of); });
       else
         doubtFilesOf(sizes, std::get<float>(of));
   }
@@ -181,7 +182,7 @@ class UnitDecision {
     for (const auto& [file, own] : byFile)
       if (std::optional<UnitDoubt> doubt = doubtOf(own, unit)) {
         doubt->file = m_parts[own.front().part].provenance.file;
-        tell(std::move(*doubt), own, [&](const Part& part) { return part.file == file; });
+        tell(std::move(*doubt), own, [file = file](const Part& part) { return part.file == file; });
       }
   }
 

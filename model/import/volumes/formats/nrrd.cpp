@@ -161,13 +161,13 @@ class NrrdReader {
     std::array<std::int64_t, 6> extent{};
     TextCursor at(text);
     bool fits = true;
-    for (std::size_t i = 0; i < extent.size(); ++i) {
+    for (std::int64_t& each : extent) {
       at.skipSpace();
-      fits = fits && at.integer(extent[i]) && std::abs(extent[i]) < 100'000;
+      fits = fits && at.integer(each) && std::abs(each) < 100'000;
     }
     const glm::i64vec3& size = m_file.layout.size;
-    for (int axis = 0; fits && axis < 3; ++axis)
-      fits = extent[std::size_t(2 * axis) + 1] - extent[std::size_t(2 * axis)] + 1 == size[axis];
+    for (std::size_t axis = 0; fits && axis < 3; ++axis)
+      fits = extent[2 * axis + 1] - extent[2 * axis] + 1 == size[int(axis)];
     const std::string says = "says that it holds the voxels " + inQuotes(text);
     if (!fits) {
       m_file.warnings.push_back(m_source.warning(
@@ -187,8 +187,8 @@ class NrrdReader {
     if (!spaceless)
       m_file.warnings.push_back(m_source.warning(
           says + " of a reference image; its origin was taken to be that image's"));
-    for (int axis = 0; axis < 3; ++axis)
-      m_file.toLps[3] += double(extent[std::size_t(2 * axis)]) * m_file.toLps[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      m_file.toLps[3] += double(extent[2 * axis]) * m_file.toLps[int(axis)];
     return true;
   }
 
