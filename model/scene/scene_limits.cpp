@@ -91,9 +91,7 @@ class Mender {
       bool sound = true;
       if constexpr (std::same_as<Value, float>)
         sound = !own || field.limits().contain(*own);
-      else if constexpr (std::same_as<Value, GammaMap>)
-        sound = !own || isSound(*own);
-      else if constexpr (std::same_as<Value, ThresholdValues>)
+      else if constexpr (std::same_as<Value, GammaMap> || std::same_as<Value, ThresholdValues>)
         sound = !own || isSound(*own);
       if (sound)
         return;

@@ -140,7 +140,10 @@ void addKind(Names& names, const std::vector<std::string>& whole, const KindWord
     const QStringList parts = wordsOf(name);
     if (std::none_of(parts.begin(), parts.end(),
                      [](const QString& word) { return kindOf(word) || abbreviated(word); })) {
-      names.add(name + ' ' + spelled);
+      std::string full = name;
+      full += ' ';
+      full += spelled;
+      names.add(full);
       names.add(std::string(kind.brief) + ' ' + name);
     }
   }

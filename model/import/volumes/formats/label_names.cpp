@@ -377,7 +377,7 @@ std::string tableBeside(const fs::path& volume) {
     stem.replace_extension();
     for (const char* more : {"", "_names", "_labels"})
       for (const char* ending : {".ctbl", ".tsv", ".csv", ".txt", ".label", ".json"})
-        if (const std::string name = stem.string() + more + ending;
+        if (std::string name = stem.string() + more + ending;
             fs::is_regular_file(volume.parent_path() / name, code))
           return name;
   }
