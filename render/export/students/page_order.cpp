@@ -43,6 +43,10 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
   kept.smoothingSteps = node.provenance.smoothingSteps;
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;
+  // How far import has moved it decides how distances from it are told.
+  kept.displacementMm = node.provenance.displacementMm;
+  kept.decimatedFrom = node.provenance.decimatedFrom;
+  kept.decimationMm = node.provenance.decimationMm;
   kept.credit = node.provenance.credit;
   // And these what its coordinates stand for: never words of a file.
   if (node.provenance.frame == model::fileFrame)

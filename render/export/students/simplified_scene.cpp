@@ -176,6 +176,9 @@ SimplifiedScene simplifiedScene(const model::Scene& scene, const StudentsOptions
     simple.errorMm = std::max(simple.errorMm, found->second.error);
     if (node.paint)
       node.paint = movedPaint(*node.paint, node.mesh, *found->second.mesh);
+    node.provenance.decimatedFrom =
+        std::max(node.provenance.decimatedFrom, int(node.mesh->triangleCount()));
+    node.provenance.decimationMm += found->second.error;
     node.mesh = found->second.mesh;
   }
   simple.scene.setAnnotations({});

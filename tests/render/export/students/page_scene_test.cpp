@@ -2,6 +2,7 @@
 // Tests what of a scene a students' page holds, and how large scenes are simplified.
 #include "model/edit/views.h"
 #include "model/scene/known_frame.h"
+#include "model/scene/shortest_distance.h"
 #include "render/export/students/page_order.h"
 #include "render/export/students/students_file.h"
 #include "tests/render/export/slides/lesson.h"
@@ -87,6 +88,35 @@ class PageSceneTest : public QObject {
     QCOMPARE(notes.size(), std::size_t(1));
     QVERIFY(notes[0].kind == render::ExportNote::Kind::pageSimplified);
     QVERIFY(QString::fromStdString(notes[0].detail).toDouble() >= said);
+  }
+
+  /// A page tells no more of a distance than its picture does.
+  void distancesSayHowSureTheyAre_data() {
+    QTest::addColumn<float>("moved");
+    QTest::addColumn<double>("errorMm");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("as read") << 0.0f << 0.0 << "10 mm";
+    QTest::newRow("smoothed by import") << 0.8f << 0.0 << "≈ 10 mm";
+    QTest::newRow("so far that they may touch") << 12.0f << 0.0 << "< 23 mm";
+    QTest::newRow("simplified for the page") << 0.45f << 0.2 << "≈ 10 mm";
+  }
+  void distancesSayHowSureTheyAre() {
+    QFETCH(float, moved);
+    QFETCH(double, errorMm);
+    QFETCH(QString, told);
+    render::ExportOrder order = fineBalls();
+    std::vector<model::Node> nodes = order.scene.nodes();
+    nodes[0].provenance.displacementMm = moved;
+    order.scene.setNodes(nodes);
+    const auto distance = model::shortestDistance(order.scene, nodes[0].id, nodes[1].id);
+    QVERIFY(distance);
+    order.scene.setAnnotations({});
+    order.scene.appendAnnotation(*distance);
+    const auto page = render::studentsPage(order, {.errorMm = errorMm},
+                                           {[](double, std::string_view) { return true; }});
+    QVERIFY(page.ok());
+    const nlohmann::json label = factsOf(page->html)["labels"][0]["words"]["en"][0][0];
+    QCOMPARE(QString::fromStdString(label["text"]).replace(QChar(QChar::Nbsp), ' '), told);
   }
 
   void notes() {
