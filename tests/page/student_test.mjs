@@ -50,6 +50,7 @@ test("a click chooses, outlines and tells; the card's controls change what is se
   const again = await pictureAtRest(page);
   assert.ok(again.data.equals(bare.data), "as at first");
   await page.locator(`li[data-id='${nodeNamed("sacrum").id}'] > .row .eye`).click();
+  await pictureAtRest(page);
   assert.ok(!(await labelsOf(page)).includes(labelOf(nodeNamed("sacrum").id).id), "what is hidden has no label");
   await page.mouse.click(spot.x, spot.y);
   await page.waitForTimeout(400);
