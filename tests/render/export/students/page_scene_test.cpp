@@ -97,7 +97,7 @@ class PageSceneTest : public QObject {
     QTest::addColumn<QString>("told");
     QTest::newRow("as read") << 0.0f << 0.0 << "10 mm";
     QTest::newRow("smoothed by import") << 0.8f << 0.0 << "≈ 10 mm";
-    QTest::newRow("so far that they may touch") << 12.0f << 0.0 << "< 23 mm";
+    QTest::newRow("so far that they may touch") << 12.0f << 0.0 << "< 22 mm";
     QTest::newRow("simplified for the page") << 0.45f << 0.2 << "≈ 10 mm";
   }
   void distancesSayHowSureTheyAre() {
