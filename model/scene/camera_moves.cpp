@@ -72,6 +72,12 @@ Camera zoomed(const Camera& camera, const glm::vec3& at, float factor) {
   return cameraFault(nearer) ? camera : nearer;
 }
 
+Camera withHeight(Camera camera, float times) {
+  camera.heightMm *= times;
+  camera.fovyDegrees = glm::degrees(2.0f * std::atan(times * edgeSlope(camera)));
+  return camera;
+}
+
 ZoomEnds zoomEnds(const Box& visible) {
   constexpr float leastShare = 1e-4f;
   constexpr float greatestShare = 100.0f;

@@ -35,6 +35,10 @@ ZoomEnds zoomEnds(const Box& visible);
 /// it goes back only.
 Camera zoomedWithin(const Camera& camera, const glm::vec3& at, float factor, const ZoomEnds& ends);
 
+/// Returns the camera with a picture so many times as high; the middle shows the same in the same
+/// size if the picture is that many times as high, too.
+Camera withHeight(Camera camera, float times);
+
 /// Turns the picture about its middle, by degrees clockwise.
 Camera rolled(const Camera& camera, float degrees);
 /// Turns the camera around the pivot, which keeps its place in the picture, until it looks from the

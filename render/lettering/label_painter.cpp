@@ -168,7 +168,7 @@ void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
 
 LabelRequest requestOf(const LabelSights& sights, const LabelStyle& style, const LabelTurn& turn) {
   return {.items = {},
-          .space = {sights.size, 0.0f, style.edges, style.reserved},
+          .space = {sights.size, turn.sideMargin, style.edges, style.reserved},
           .obstacles = sights.obstacles,
           .towardsEye = sights.towardsEye,
           .moving = turn.moving,

@@ -29,6 +29,10 @@ struct LabelTurn {
   std::array<float, 2> widths{};        ///< as in LabelRequest
   const SeenArea* drawn = nullptr;      ///< as in LabelRequest
   bool anywhere = false;  ///< over anatomy, too: who is asked must not miss what has no ground
+  /// The picture keeps its whole area, whatever that leaves its labels; else one that anatomy fills
+  /// may get a frame with ground around it.
+  bool whole = false;
+  float sideMargin = 0.0f;  ///< as in LabelSpace
 };
 
 /// Holds what a picture's labels go by before they are laid out.

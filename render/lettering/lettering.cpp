@@ -46,6 +46,8 @@ bool hasAlpha(QPainter& painter) {
 
 void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& ground) {
   for (const LetteringShape& shape : item.shapes) {
+    if (shape.ground)
+      painter.fillPath(painterPath(shape.path), painterColour(ground));
     if (shape.halo <= 0.0f)
       continue;
     painter.setPen(pen(shape, ground, shape.pen + 2.0f * shape.halo, true));
@@ -71,6 +73,8 @@ QPainterPath dashesOf(const LetteringShape& shape) {
 void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& setText) {
   const bool pixels = painter.paintEngine()->type() == QPaintEngine::Raster;
   for (const LetteringShape& shape : item.shapes) {
+    if (shape.ground)
+      continue;
     if (pixels && shape.dashed && shape.pen > 0.0f && !shape.fill) {
       painter.fillPath(dashesOf(shape), painterColour(shape.ink));
       continue;

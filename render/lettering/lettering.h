@@ -38,6 +38,9 @@ struct LetteringShape {
   std::optional<Colour> fill;
   bool dashed = false;  ///< dashes five pens long, gaps of four
   float halo = 0.0f;    ///< width on either side
+  /// It is ground, in the place of whatever the drawing has there, as halos are. Its fill is the
+  /// ground's colour.
+  bool ground = false;
 };
 
 /// Holds one label or mark.

@@ -59,6 +59,11 @@ QString factOfFile(render::ExportNote::Kind kind) {
       return tr("The page has %1 million triangles, too many for telephones.");
     case Kind::pageSimplified:
       return tr("Surfaces are simplified and off by %1 mm at most, which the page says.");
+    case Kind::pictureFramed:
+      return tr(
+          "Anatomy leaves no ground for names: the drawing ends at a frame, %1 mm within the "
+          "page's "
+          "left and right edge.");
     case Kind::creditsLeftOut:
       return tr("The file does not say whose work its surfaces are, as their terms ask: %1.");
     case Kind::subtitlesEmpty:
@@ -133,6 +138,8 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Choose a view that shows it, or draw less of what is before it.");
     case Kind::labelsOnAnatomy:
       return tr("Choose a view that leaves some, a larger page or smaller letters.");
+    case Kind::pictureFramed:
+      return tr("Choose a view from farther away, or no labels.");
     case Kind::labelsUntranslated:
       return tr("Write them in the list of labels, or choose another language.");
     case Kind::legendWithoutRoom:

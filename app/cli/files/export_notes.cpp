@@ -125,6 +125,10 @@ std::string labelsText(const render::ExportNote& note) {
       return counted(count, "label stands", "labels stand") +
              " on anatomy, which leaves no room beside it" + names +
              "Choose a view that leaves some, a larger page or smaller letters (--label-size)";
+    case Kind::pictureFramed:
+      return "anatomy leaves no ground for names: the drawing ends at a frame, " + note.detail +
+             " mm within the page's left and right edge. Choose a view from farther away, or "
+             "--labels off";
     case Kind::labelsUntranslated:
       return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
              " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +
@@ -146,6 +150,7 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::labelsOffPage:
     case Kind::labelsHidden:
     case Kind::labelsOnAnatomy:
+    case Kind::pictureFramed:
     case Kind::labelsUntranslated:
       return labelsText(note);
     case Kind::labelsNotAsked:

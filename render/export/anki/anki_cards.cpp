@@ -171,7 +171,7 @@ class Cards {
       return Unit{};
     ExportOrder order = sheet.order;
     order.labels.mode = LabelMode::numbers;
-    const FigurePlate plate = figurePlate(order, m_trees);
+    const FigurePlate plate = figurePlate(order, m_trees, {.whole = true});
     for (const ShownLabel& label : plate.labels->labels)
       if (plate.labels->layout.find(label.item.id))
         sheet.numbers[label.item.id] = label.number;

@@ -9,6 +9,7 @@
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/marks.h"
 #include "render/labels/seen_map.h"
@@ -119,7 +120,9 @@ void findBefore(PictureFacts& facts, const std::vector<SeenCover>& covers) {
 
 PictureFacts pictureFacts(const ExportOrder& order) {
   PictureFacts facts;
-  const SeenMap map(order.scene, Screen(order.camera, order.page.sizeMm));
+  model::MeshTrees trees;
+  const Screen screen = screenSeen(order, trees);
+  const SeenMap map(order.scene, screen, &trees);
   const std::map<model::NodeId, QString> labels = labelNames(order);
   const std::string language = model::firstLanguage(order.labels.language);
   for (const SeenShare& share : map.shares()) {
@@ -129,7 +132,7 @@ PictureFacts pictureFacts(const ExportOrder& order) {
     SeenStructure one{.id = share.structure,
                       .name = label == labels.end() ? QString() : label->second,
                       .labelled = label != labels.end(),
-                      .across = share.middle.x / order.page.sizeMm.x};
+                      .across = share.middle.x / screen.size().x};
     if (one.name.isEmpty())
       one.name = shortLine(structureName(order.scene.find(share.structure)->name, language));
     facts.structures.push_back(std::move(one));

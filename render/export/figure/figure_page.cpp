@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "model/scene/camera_moves.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/figure/figure_options.h"
@@ -25,7 +26,7 @@ Result<VectorDrawing> drawnPanel(const ExportOrder& order, float penHeightMm,
   const glm::vec2 size = order.page.sizeMm;
   const float times = penHeightMm / size.y;
   Result<VectorDrawing> drawing =
-      drawVectors(order.scene, withHeight(order.camera, times),
+      drawVectors(order.scene, model::withHeight(order.camera, times),
                   {.sizeMm = {size.x, penHeightMm}, .environment = order.environment}, progress);
   if (!drawing.ok())
     return drawing;
@@ -212,15 +213,15 @@ DrawnPage pageOf(const ComposedFigure& figure, const ExportCredit& credit) {
     const std::string name = model::panelName(plan.figure, i);
     const std::string id = "panel-" + std::to_string(i + 1);
     const glm::vec2 at = plan.layout.panels[i].box.at;
+    page.writings.push_back({.id = id + "-marks",
+                             .name = "Marks of " + name,
+                             .lettering = plate.marks.lettering,
+                             .at = at});
     if (plate.labels)
       page.writings.push_back({.id = id + "-labels",
                                .name = "Labels of " + name,
                                .lettering = letteringOf(*plate.labels),
                                .at = at});
-    page.writings.push_back({.id = id + "-marks",
-                             .name = "Marks of " + name,
-                             .lettering = plate.marks.lettering,
-                             .at = at});
   }
   page.writings.push_back(
       {.id = "letters", .name = "Letters and legend", .lettering = figure.writing});

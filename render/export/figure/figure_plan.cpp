@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/edit/views.h"
+#include "model/scene/camera_moves.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"
@@ -192,7 +193,7 @@ class Planning {
       return aimInset(index, *from);
     if (from) {
       const ExportOrder& other = m_plan.panels[*from];
-      order.camera = withHeight(other.camera, order.page.sizeMm.y / other.page.sizeMm.y);
+      order.camera = model::withHeight(other.camera, order.page.sizeMm.y / other.page.sizeMm.y);
       if (panel.camera->centred)
         centre(order, other);
       return;
@@ -246,7 +247,7 @@ class Planning {
         widest = std::max(widest, scaleOf(m_plan.panels[i]).value_or(0.0f));
     for (std::size_t i = 0; i < m_plan.panels.size(); ++i)
       if (const auto scale = scaleOf(m_plan.panels[i]); scale && !wish(i).inset)
-        m_plan.panels[i].camera = withHeight(m_plan.panels[i].camera, widest / *scale);
+        m_plan.panels[i].camera = model::withHeight(m_plan.panels[i].camera, widest / *scale);
     // One bar speaks for all of them.
     const bool doubted =
         std::any_of(m_plan.panels.begin(), m_plan.panels.end(), [](const auto& one) {

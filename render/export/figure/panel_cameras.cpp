@@ -6,15 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "model/scene/camera_moves.h"
 #include "render/labels/screen.h"
 
 namespace sline::render {
-
-model::Camera withHeight(model::Camera camera, float times) {
-  camera.heightMm *= times;
-  camera.fovyDegrees = glm::degrees(2.0f * std::atan(times * model::edgeSlope(camera)));
-  return camera;
-}
 
 model::Camera inParallel(model::Camera camera) {
   if (camera.projection == model::Projection::perspective)
@@ -40,7 +35,7 @@ model::Camera insetCamera(const model::Camera& camera, const glm::vec2& size,
     // Seen aslant, the plane of the picture is farther away and turned.
     times *= glm::dot(ahead, sight.direction);
   }
-  return withHeight(inset, times);
+  return model::withHeight(inset, times);
 }
 
 std::array<glm::vec2, 4> cornersIn(const model::Camera& camera, const glm::vec2& size,

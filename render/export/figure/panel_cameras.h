@@ -11,10 +11,6 @@
 
 namespace sline::render {
 
-/// Returns the camera with a picture so many times as high; the middle shows the same in the same
-/// size if the picture is that many times as high, too.
-model::Camera withHeight(model::Camera camera, float times);
-
 /// Returns the camera without perspective that shows the target in the same size.
 model::Camera inParallel(model::Camera camera);
 

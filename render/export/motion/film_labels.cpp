@@ -84,7 +84,7 @@ FigurePlate FilmLabels::plateOf(const Film& film, int frame) const {
   const FilmFrame shown = film.at(frame);
   if (film.tours() && shown.rest)
     return m_rests.at(*shown.rest);
-  FigurePlate plate{.labels = {}, .marks = marksOfFrame(film, shown), .notes = {}};
+  FigurePlate plate{.labels = {}, .marks = marksOfFrame(film, shown), .frame = {}, .notes = {}};
   if (m_order.labels.mode != LabelMode::off && !film.tours())
     plate.labels = m_plates[std::size_t(frame)];
   return plate;
@@ -93,8 +93,8 @@ FigurePlate FilmLabels::plateOf(const Film& film, int frame) const {
 FigurePlate FilmLabels::alone(const Film& film, int shown) {
   const FilmFrame frame = film.at(shown);
   if (!film.tours() || frame.rest)
-    return figurePlate(orderOf(frame), m_trees);
-  return {.labels = {}, .marks = marksOfFrame(film, frame), .notes = {}};
+    return figurePlate(orderOf(frame), m_trees, {.whole = true});
+  return {.labels = {}, .marks = marksOfFrame(film, frame), .frame = {}, .notes = {}};
 }
 
 bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go) {
@@ -159,7 +159,7 @@ bool FilmLabels::settleRests(const Film& film, const std::function<bool(double)>
     ExportOrder order = orderOf(frame);
     if (foot)
       order.labels.reserved.push_back(*foot);
-    FigurePlate plate = figurePlate(order, m_trees);
+    FigurePlate plate = figurePlate(order, m_trees, {.whole = true});
     if (foot && !plate.marks.cutOff)
       cutOffAt(plate.marks, *foot);
     m_rests.emplace(*frame.rest, std::move(plate));

@@ -16,6 +16,8 @@ struct ExportNote {
     labelsOffPage,       ///< their places are not within the picture; `names`: their texts
     labelsHidden,        ///< what they name is not seen where they point; `names`: their texts
     labelsOnAnatomy,     ///< anatomy leaves no ground beside it; `names`: their texts
+    pictureFramed,       ///< anatomy leaves no ground for labels, and the drawing ends at a frame;
+                         ///< `detail`: how many millimetres within the left and the right edge
     labelsUntranslated,  ///< `names`: texts in the scene's language, `detail`: the one asked for
     cardsWithoutRoom,    ///< labels that no card asks for; `names`: their texts
     marksWithoutRoom,    ///< `names`: those of the items (`Marks`)

@@ -173,7 +173,7 @@ class SheetMaker {
   Status addNumbers(QuestionSheet& sheet, const Marks& marks) {
     ExportOrder order = m_order;
     order.labels.mode = LabelMode::numbers;
-    const FigurePlate plate = figurePlate(order, m_trees);
+    const FigurePlate plate = figurePlate(order, m_trees, {.whole = true});
     for (const ShownLabel& label : plate.labels->labels)
       if (plate.labels->layout.find(label.item.id))
         m_numbers[label.item.id] = label.number;

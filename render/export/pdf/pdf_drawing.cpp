@@ -258,6 +258,10 @@ std::string gapsOf(const Lettering& lettering, const glm::vec2& at, double pageH
   out.word("1 J 1 j 0 G 0 g");
   for (const LetteringItem& item : lettering.items) {
     for (const LetteringShape& shape : item.shapes) {
+      if (shape.ground) {
+        out.path(shape.path);
+        out.word("f");
+      }
       if (shape.halo <= 0.0f)
         continue;
       out.number(double(shape.pen + 2.0f * shape.halo));

@@ -37,9 +37,9 @@ void setPlate(SheetPages& pages, const FigurePlate& plate, const glm::vec2& at) 
   pages.painter().save();
   pages.painter().setRenderHint(QPainter::Antialiasing);
   pages.painter().translate(qreal(at.x), qreal(at.y));
+  set(plate.marks.lettering);
   if (plate.labels)
     set(letteringOf(*plate.labels));
-  set(plate.marks.lettering);
   pages.painter().restore();
 }
 

@@ -3,11 +3,13 @@
 
 #include <QString>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/export/plate/mark_text.h"
+#include "render/export/plate/picture_frame.h"
 #include "render/labels/seen_map.h"
 #include "render/lettering/looks_in_colour.h"
 
@@ -64,6 +66,17 @@ SeenArea drawnIn(const ExportOrder& order, model::MeshTrees& trees) {
   return SeenMap(scene, Screen(order.camera, order.page.sizeMm), &trees).drawnArea();
 }
 
+/// Returns how much of the strips at the left and the right edge, each that share of the width,
+/// shows something.
+float shareDrawn(const SeenArea& drawn, float strip) {
+  const int columns = int(strip * float(drawn.grid.columns));
+  int shown = 0;
+  for (int y = 0; y < drawn.grid.rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      shown += int(drawn.at(x, y)) + int(drawn.at(drawn.grid.columns - 1 - x, y));
+  return float(shown) / float(std::max(2 * columns * drawn.grid.rows, 1));
+}
+
 /// Tells whether fewer than so many in a hundred labels find room.
 bool findFewer(const LabelPlate& plate, std::size_t percent) {
   const std::size_t placed = plate.layout.labels.size();
@@ -86,22 +99,40 @@ Marks marksBeside(const ExportOrder& order, Marks usual, const SeenArea& drawn) 
   return clear ? std::move(usual) : marksOf(order, &drawn);
 }
 
-}  // namespace
-
-FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
-  FigurePlate plate{.labels = {}, .marks = marksOf(order), .notes = {}};
-  const bool labels = order.labels.mode != LabelMode::off && hasLabels(order.scene);
-  std::optional<SeenArea> drawn;
-  if (labels || !plate.marks.lettering.items.empty())
-    drawn = drawnIn(order, trees);
-  if (drawn)
-    plate.marks = marksBeside(order, std::move(plate.marks), *drawn);
-  plate.notes = plate.marks.notes;
-  if (order.labels.mode == LabelMode::off)
-    return plate;
+/// Returns the labels' style for what the marks leave of the page.
+LabelStyle styleBeside(const ExportOrder& order, const Marks& marks) {
   LabelStyle style = order.labels;
   style.ground = order.environment.background;
-  style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
+  style.reserved.insert(style.reserved.end(), marks.boxes.begin(), marks.boxes.end());
+  return style;
+}
+
+/// Frames the picture, with labels and marks around it; returns whether that gives more of them
+/// ground.
+bool framed(FigurePlate& plate, const ExportOrder& order, model::MeshTrees& trees,
+            const LabelTurn& turn, const SeenArea& drawn) {
+  const std::optional<LabelBox> frame = frameBeside(order, *plate.labels, marksOf(order));
+  if (!frame)
+    return false;
+  const SeenArea within = areaWithin(drawn, *frame);
+  Marks marks = marksOf(order, &within);
+  LabelPlate labels = labelsBesideFrame(order, styleBeside(order, marks), *frame, trees, turn);
+  if (marks.cutOff || labels.layout.labels.size() <= plate.labels->layout.labels.size())
+    return false;
+  addFrame(marks, *frame, order);
+  plate = {.labels = std::move(labels), .marks = std::move(marks), .frame = frame, .notes = {}};
+  plate.notes = plate.marks.notes;
+  addNote(plate.notes, {.kind = Kind::pictureFramed,
+                        .names = {},
+                        .detail = std::to_string(std::lround(frame->low.x))});
+  return true;
+}
+
+/// Lays out the labels beside what is drawn; where that leaves hardly any of them ground, beside a
+/// frame; and where there is no room for one, on it.
+void addLabelPlate(FigurePlate& plate, const ExportOrder& order, model::MeshTrees& trees,
+                   const LabelTurn& turn, std::optional<SeenArea> drawn) {
+  const LabelStyle style = styleBeside(order, plate.marks);
   const Screen screen(order.camera, order.page.sizeMm);
   // Below what cuts the picture off there is ground.
   if (drawn && plate.marks.cutOff)
@@ -111,15 +142,30 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   plate.labels = labelPlate(order.scene, screen, style, trees, beside);
   constexpr std::size_t hardlyAny = 25;
   constexpr std::size_t most = 50;
-  if (beside.drawn && findFewer(*plate.labels, hardlyAny)) {
-    // Where anatomy fills the picture there is no ground beside it: rather than not at all labels
-    // stand on it, with their halos.
-    LabelPlate over = labelPlate(order.scene, screen, style, trees, turn);
-    if (!findFewer(over, most)) {
-      plate.labels = std::move(over);
-      addLabels(plate.notes, Kind::labelsOnAnatomy, order, labelsOn(*drawn, *plate.labels));
-    }
-  }
+  if (!beside.drawn || !findFewer(*plate.labels, hardlyAny) ||
+      (!turn.whole && framed(plate, order, trees, turn, *drawn)))
+    return;
+  LabelPlate over = labelPlate(order.scene, screen, style, trees, turn);
+  if (findFewer(over, most))
+    return;
+  plate.labels = std::move(over);
+  addLabels(plate.notes, Kind::labelsOnAnatomy, order, labelsOn(*drawn, *plate.labels));
+}
+
+}  // namespace
+
+FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
+  FigurePlate plate{.labels = {}, .marks = marksOf(order), .frame = {}, .notes = {}};
+  const bool labels = order.labels.mode != LabelMode::off && hasLabels(order.scene);
+  std::optional<SeenArea> drawn;
+  if (labels || !plate.marks.lettering.items.empty())
+    drawn = drawnIn(order, trees);
+  if (drawn)
+    plate.marks = marksBeside(order, std::move(plate.marks), *drawn);
+  plate.notes = plate.marks.notes;
+  if (order.labels.mode == LabelMode::off)
+    return plate;
+  addLabelPlate(plate, order, trees, turn, std::move(drawn));
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);
@@ -138,10 +184,23 @@ FigurePlate figurePlate(const ExportOrder& order) {
   return figurePlate(order, trees);
 }
 
+Screen screenSeen(const ExportOrder& order, model::MeshTrees& trees) {
+  Screen page(order.camera, order.page.sizeMm);
+  // Where much is free beside the anatomy labels have ground; it need not be tried.
+  constexpr float beside = 0.2f;  // of the width
+  constexpr float full = 0.35f;
+  if (order.labels.mode == LabelMode::off || !hasLabels(order.scene) ||
+      shareDrawn(drawnIn(order, trees), beside) < full)
+    return page;
+  const FigurePlate plate = figurePlate(order, trees);
+  return plate.frame ? screenWithin(page, *plate.frame) : page;
+}
+
 void paintPlate(QPainter& painter, const FigurePlate& plate) {
+  // Labels stand on the ground around a frame, which is among the marks.
+  paintMarks(painter, plate.marks);
   if (plate.labels)
     paintLabels(painter, *plate.labels);
-  paintMarks(painter, plate.marks);
 }
 
 }  // namespace sline::render

@@ -10,13 +10,18 @@ namespace sline::render {
 struct FigurePlate {
   std::optional<LabelPlate> labels;  ///< absent where the order wants none
   Marks marks;
-  ExportNotes notes;  ///< labels and marks that are missing, and why
+  std::optional<LabelBox> frame;  ///< where the drawing ends, if not at the page's edge
+  ExportNotes notes;              ///< labels and marks that are missing, and why
 };
 
-/// Lays out the labels and marks for the order's camera and page, labels beside the marks.
+/// Lays out the labels and marks for the order's camera and page, labels beside the marks. Where
+/// anatomy fills the page so that hardly any label finds ground, the drawing ends at a frame.
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees,
                         const LabelTurn& turn = {});
 FigurePlate figurePlate(const ExportOrder& order);
+
+/// Returns the screen of what a picture of the order shows: within its frame, if it gets one.
+Screen screenSeen(const ExportOrder& order, model::MeshTrees& trees);
 
 /// Paints the plate. The painter's unit must be a millimetre, from the picture's upper left corner.
 void paintPlate(QPainter& painter, const FigurePlate& plate);

@@ -3,6 +3,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "render/export/plate/marks.h"
@@ -68,16 +69,22 @@ SeenArea areaAbove(SeenArea area, float height) {
   return area;
 }
 
-void cutOffAt(Marks& marks, const LabelBox& foot) {
+void addGround(Marks& marks, std::span<const LabelBox> boxes) {
   const Colour ground = marks.lettering.ground;
   LetteringItem item{.name = std::string(groundName), .shapes = {}, .text = {}};
-  item.shapes.push_back({.path = roundedBox(foot.low, foot.high, 0.0f),
-                         .pen = 0.0f,
-                         .ink = ground,
-                         .fill = ground,
-                         .dashed = false,
-                         .halo = 0.0f});
+  for (const LabelBox& box : boxes)
+    item.shapes.push_back({.path = roundedBox(box.low, box.high, 0.0f),
+                           .pen = 0.0f,
+                           .ink = ground,
+                           .fill = ground,
+                           .dashed = false,
+                           .halo = 0.0f,
+                           .ground = true});
   marks.lettering.items.insert(marks.lettering.items.begin(), std::move(item));
+}
+
+void cutOffAt(Marks& marks, const LabelBox& foot) {
+  addGround(marks, std::array{foot});
   marks.boxes.push_back(foot);
   marks.cutOff = foot;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <span>
 #include <vector>
 
 #include "render/labels/seen_map.h"
@@ -36,5 +37,7 @@ LetteringShape scaleBarShape(const glm::vec2& from, float length, const Colour& 
 
 /// Returns the area without what lies below that height, millimetres.
 SeenArea areaAbove(SeenArea area, float height);
+/// Adds an item, `groundName`, below all others that puts ground in place of the drawing.
+void addGround(Marks& marks, std::span<const LabelBox> boxes);
 
 }  // namespace sline::render

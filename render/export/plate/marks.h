@@ -20,8 +20,10 @@ struct SharedScale {
 
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
-/// The name of the item that is nothing but ground, below what is written at the foot.
+/// The name of the item that is nothing but ground, below what is written at the foot or around a
+/// frame, and that of the frame (picture_frame.h).
 inline constexpr std::string_view groundName = "ground";
+inline constexpr std::string_view frameName = "frame";
 
 /// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", "sources", and
 /// one for each row of the legend and each part of the keys of Γ.

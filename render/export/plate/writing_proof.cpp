@@ -117,7 +117,7 @@ class Proving {
     const std::vector<Told> told = toldBy(m_plate);
     std::vector<Written> marks;
     for (const LetteringItem& item : m_plate.marks.lettering.items)
-      if (item.name != groundName)
+      if (item.name != groundName && item.name != frameName)
         marks.push_back(writtenOf(item, true));
     m_proof.marks = marks.size();
     m_proof.labels = told.size();
@@ -151,10 +151,12 @@ class Proving {
     return std::clamp(int(std::floor(mm * double(m_scale))), 0, count - 1);
   }
 
-  /// Tells whether anatomy is seen there; below what cuts the picture off there is none.
+  /// Tells whether anatomy is seen there; below what cuts the picture off, and outside a frame,
+  /// there is none.
   bool drawn(int x, int y) const {
     const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / m_scale;
-    if (m_plate.marks.cutOff && m_plate.marks.cutOff->contains(p))
+    if ((m_plate.marks.cutOff && m_plate.marks.cutOff->contains(p)) ||
+        (m_plate.frame && !m_plate.frame->contains(p)))
       return false;
     const std::size_t pixel = std::size_t(y) * std::size_t(m_bare.width) + std::size_t(x);
     return m_bare.rgba[4 * pixel + 3] >= drawnAlpha;

@@ -28,9 +28,9 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
   const FigurePlate plate = figurePlate(order);
   progress.note(drawingNotes(order));
   progress.note(plate.notes);
+  writings.push_back({"marks", "Marks", plate.marks.lettering});
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
-  writings.push_back({"marks", "Marks", plate.marks.lettering});
   return svgDocument(*drawing, order.scene, writings, fileCredit(order));
 }
 

@@ -56,7 +56,8 @@ class Layer {
     if (writing.halos && !writing.lettering.clear)
       addHalos("inkscape:label=\"Halos\" ", writing.lettering, writing.lettering.ground);
     for (const LetteringItem& item : writing.lettering.items)
-      addItem(item);
+      if (!writing.halos || !isGround(item))
+        addItem(item);
     m_text += "</g>\n";
   }
 
@@ -69,9 +70,16 @@ class Layer {
   }
 
  private:
+  static bool isGround(const LetteringItem& item) {
+    return !item.text && std::all_of(item.shapes.begin(), item.shapes.end(),
+                                     [](const LetteringShape& shape) { return shape.ground; });
+  }
+
   void addHalo(const LetteringItem& item, const Colour& ground) {
     for (const LetteringShape& shape : item.shapes)
-      if (shape.halo > 0.0f)
+      if (shape.ground)
+        addPath(shape.path, 0.0f, " stroke=\"none\" fill=\"" + colourText(ground) + "\"");
+      else if (shape.halo > 0.0f)
         addPath(shape.path, shape.pen + 2.0f * shape.halo,
                 shape.fill ? " fill=\"" + colourText(ground) + "\"" : std::string());
     if (item.text)
