@@ -5751,6 +5751,14 @@
         <source>%1 (x, y, z)</source>
         <translation>%1 (x, y, z)</translation>
     </message>
+    <message>
+        <source>Anatomy leaves no ground for names: the drawing ends at a frame, %1 mm within the page&apos;s left and right edge.</source>
+        <translation>Die Anatomie lässt den Namen keinen Grund: Die Zeichnung endet an einem Rahmen, %1 mm innerhalb des linken und rechten Blattrandes.</translation>
+    </message>
+    <message>
+        <source>Choose a view from farther away, or no labels.</source>
+        <translation>Wählen Sie eine Ansicht von weiter weg oder keine Beschriftungen.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -5751,6 +5751,14 @@
         <source>%1 (x, y, z)</source>
         <translation>%1 (x, y, z)</translation>
     </message>
+    <message>
+        <source>Anatomy leaves no ground for names: the drawing ends at a frame, %1 mm within the page&apos;s left and right edge.</source>
+        <translation>Anatomien gir navnene ingen plass: Tegningen slutter ved en ramme, %1 mm innenfor sidens venstre og høyre kant.</translation>
+    </message>
+    <message>
+        <source>Choose a view from farther away, or no labels.</source>
+        <translation>Velg en visning lenger unna, eller ingen etiketter.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -5751,6 +5751,14 @@
         <source>%1 (x, y, z)</source>
         <translation>%1 (x, y, z)</translation>
     </message>
+    <message>
+        <source>Anatomy leaves no ground for names: the drawing ends at a frame, %1 mm within the page&apos;s left and right edge.</source>
+        <translation>De anatomie laat de namen geen ruimte: de tekening eindigt bij een kader, %1 mm binnen de linker- en rechterrand van de pagina.</translation>
+    </message>
+    <message>
+        <source>Choose a view from farther away, or no labels.</source>
+        <translation>Kies een aanzicht van verder weg, of geen labels.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -15,7 +15,7 @@
 #include "render/export/comparison/comparison_file.h"
 #include "render/export/comparison/noisy_mesh.h"
 #include "render/lettering/typesetting.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 
 namespace sline::cli {
 

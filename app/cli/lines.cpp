@@ -10,12 +10,12 @@
 #include "app/cli/flags/values.h"
 #include "model/disk/whole_file.h"
 #include "model/geometry/mesh_trees.h"
-#include "render/lines/clipping.h"
-#include "render/lines/cut_faces.h"
-#include "render/lines/line_technique.h"
-#include "render/lines/stages.h"
-#include "render/lines/view_scale.h"
-#include "render/lines/visibility.h"
+#include "render/lines/ground/stages.h"
+#include "render/lines/ground/view_scale.h"
+#include "render/lines/hatching/clipping.h"
+#include "render/lines/patterns/cut_faces.h"
+#include "render/lines/techniques/line_technique.h"
+#include "render/lines/techniques/visibility.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::cli {

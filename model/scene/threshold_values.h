@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Holds the thresholds with which a structure's lines are found, where they are not the usual ones
-// of its technique. Which thresholds there are, and what they mean, render/lines/technique_list.h
-// says; a name that nobody knows changes nothing and is kept.
+// of its technique. Which thresholds there are, and what they mean,
+// render/lines/techniques/technique_list.h says; a name that nobody knows changes nothing and is
+// kept.
 #pragma once
 
 #include <cstddef>

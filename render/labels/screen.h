@@ -36,6 +36,14 @@ class Screen {
     return screen;
   }
   const std::vector<LabelBox>& covered() const { return m_covered; }
+  /// Returns the same screen for a picture on a dark ground, or not: there light enters surfaces
+  /// where on paper shadows do (METHOD §7).
+  Screen onDark(bool dark) const {
+    Screen screen = *this;
+    screen.m_dark = dark;
+    return screen;
+  }
+  bool dark() const { return m_dark; }
   /// Returns a number that grows with the distance from the eye's plane and is linear in the
   /// picture: in perspective −1 / distance, else the distance in millimetres. The point must be in
   /// front of the eye.
@@ -51,6 +59,7 @@ class Screen {
   glm::vec2 m_size;
   float m_scale = 1.0f;  ///< output millimetres per unit slope, or per millimetre
   std::vector<LabelBox> m_covered;
+  bool m_dark = false;
 };
 
 }  // namespace sline::render

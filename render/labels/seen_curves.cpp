@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "render/labels/seen_layer.h"
-#include "render/lines/stages.h"
-#include "render/sight/rules.h"
+#include "render/lines/ground/stages.h"
+#include "render/sight/contour_look.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/sectioned_surface.h"
 
@@ -39,39 +39,30 @@ float SeenLayer::distanceAt(const glm::vec2& cell) const {
 }
 
 bool SeenLayer::showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const {
-  // As sight.frag.glsl has it.
-  const float distance = distanceOf(point.depth, m_perspective);
-  const float here = distanceAt(point.on);
-  float wide = 0.0f;
-  float behind = std::max(here, distanceAt(point.on + probes.reach.x * point.outward));
-  if (distance > behind + tolerance) {
-    if (distance > here + probes.sheet)
-      return false;
-    wide = probes.reach.y;
-    behind =
-        std::max(distanceAt(point.on + 0.5f * (probes.reach.x + probes.reach.y) * point.outward),
-                 distanceAt(point.on + probes.reach.y * point.outward));
-    if (distance > behind + tolerance)
-      return false;
-  }
-  const glm::vec2 beyond = point.on + (wide + probes.probe) * point.outward;
+  const std::optional<int> look =
+      contourLook({distanceOf(point.depth, m_perspective), tolerance, probes.sheet, probes.reach},
+                  [&](float outside) { return distanceAt(point.on + outside * point.outward); });
+  if (!look)
+    return false;
+  const glm::vec2 beyond =
+      point.on + rule::probeOutside(*look, probes.probe, probes.reach) * point.outward;
   if (covers(int(std::floor(beyond.x)), int(std::floor(beyond.y)))) {
     const float share = innerContourShare(m_style) * transitions(m_style.gamma).contours;
-    point.opacity *= std::min(1.0f, 2.0f * share * point.halfWidth);
-    point.halfWidth = std::max(share * point.halfWidth, 0.5f);
+    point.opacity *= rule::penOpacity(share * point.halfWidth);
+    point.halfWidth = rule::penHalfWidth(share * point.halfWidth);
   }
   return true;
 }
 
 void SeenLayer::takeInk(const PenPoint& point, std::vector<float>& depths) {
-  const glm::vec2 middle = point.place + (point.halfWidth - 0.5f) * point.outward;
+  const glm::vec2 middle = point.place + rule::penOutside(point.halfWidth) * point.outward;
   const float reach = point.halfWidth + 0.5f;
   for (int y = int(std::floor(middle.y - reach)); y <= int(std::floor(middle.y + reach)); ++y)
     for (int x = int(std::floor(middle.x - reach)); x <= int(std::floor(middle.x + reach)); ++x) {
       if (x < m_left || y < m_top || x >= m_left + m_columns || y >= m_top + m_rows)
         continue;
       const float off = glm::length(glm::vec2(x, y) + 0.5f - middle);
-      const float ink = std::clamp(reach - off, 0.0f, 1.0f) * point.opacity;
+      const float ink = rule::penCoverage(point.halfWidth, off, 1.0f) * point.opacity;
       constexpr float least = 0.002f;
       if (ink <= least)
         continue;
@@ -116,14 +107,15 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
       const float t = float(k) / float(steps);
       const float depth = glm::mix(screen.depthKey(s.a), screen.depthKey(s.b), t);
       const float full = width * lines * glm::mix(s.pressureA, s.pressureB, t);
-      PenPoint point{.on = glm::mix(from, to, t),
-                     .place = glm::mix(fromPlace, toPlace, t),
-                     .outward = outward,
-                     .depth = depth,
-                     .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective)
-                                       : inFront(depth, outlineSteps),
-                     .halfWidth = 0.5f * std::max(full, 1.0f),
-                     .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * std::min(full, 1.0f)};
+      PenPoint point{
+          .on = glm::mix(from, to, t),
+          .place = glm::mix(fromPlace, toPlace, t),
+          .outward = outward,
+          .depth = depth,
+          .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective)
+                            : inFront(depth, outlineSteps),
+          .halfWidth = rule::penHalfWidth(0.5f * full),
+          .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * rule::penOpacity(0.5f * full)};
       if (!showsAt(point, probes, tolerance))
         continue;
       if (!outside)

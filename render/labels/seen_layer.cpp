@@ -49,12 +49,13 @@ constexpr float touching = 0.05f;
 
 }  // namespace
 
-SeenLayer::SeenLayer(const model::Node& node, const model::ResolvedStyle& style)
-    : m_node(&node), m_mesh(node.mesh), m_style(style), m_look(style) {}
+SeenLayer::SeenLayer(const model::Node& node, const model::ResolvedStyle& style,
+                     const SeenLook& look)
+    : m_node(&node), m_mesh(node.mesh), m_style(style), m_look(look) {}
 
 SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
-                     const model::ResolvedStyle& style)
-    : SeenLayer(node, style) {
+                     const model::ResolvedStyle& style, bool onDark)
+    : SeenLayer(node, style, SeenLook(style, onDark)) {
   const std::vector<model::Section> sections = scene.sectionsOf(node.id);
   m_planes = model::planesOf(sections);
   for (const model::Section& section : sections)
@@ -62,7 +63,7 @@ SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
 }
 
 SeenLayer SeenLayer::undrawn() const {
-  SeenLayer layer(*m_node, m_style);
+  SeenLayer layer(*m_node, m_style, m_look);
   layer.m_mesh = m_mesh;
   layer.m_surface = m_surface;
   layer.m_faces = m_faces;

@@ -39,7 +39,8 @@ struct SeenCell {
 
 class SeenLayer {
  public:
-  SeenLayer(const model::Scene& scene, const model::Node& node, const model::ResolvedStyle& style);
+  SeenLayer(const model::Scene& scene, const model::Node& node, const model::ResolvedStyle& style,
+            bool onDark);
 
   /// Draws the structure as its sections leave it; its outlines are where its cells end. Its cut
   /// faces lie before and behind others of their plane as in pictures (faceSteps).
@@ -111,7 +112,7 @@ class SeenLayer {
   std::optional<glm::vec2> outwards(int x, int y) const;
 
  private:
-  SeenLayer(const model::Node& node, const model::ResolvedStyle& style);
+  SeenLayer(const model::Node& node, const model::ResolvedStyle& style, const SeenLook& look);
   struct PenPoint {
     glm::vec2 on{0.0f};     ///< the line itself, cells
     glm::vec2 place{0.0f};  ///< where the pen draws it

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
 #include "render/sight/rules.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/section_caps.h"
@@ -21,7 +21,8 @@ constexpr float unevenShade = 0.3f;
 constexpr float usualPen = 2.0f;  // λ, METHOD §4
 
 /// Returns how much a shade shows of its colour where the surface has that cosine between its
-/// normal and the line of sight, without highlights, which are white.
+/// normal and the line of sight, without highlights, which are white. On paper its shadows deepen
+/// with what has entered; on a dark ground they are there from the beginning.
 float tone(float facing, float entered) {
   constexpr float inShadow = 0.3f;  // a pure colour's
   constexpr float inLight = 1.0f;
@@ -30,8 +31,11 @@ float tone(float facing, float entered) {
 }
 }  // namespace
 
-SeenLook::SeenLook(const model::ResolvedStyle& style)
-    : m_fill(style.fill), m_gamma(style.gamma.value()), m_opacity(style.opacity.value()) {
+SeenLook::SeenLook(const model::ResolvedStyle& style, bool onDark)
+    : m_fill(style.fill),
+      m_gamma(style.gamma.value()),
+      m_onDark(onDark ? 1.0f : 0.0f),
+      m_opacity(style.opacity.value()) {
   const Transitions t = transitions(style.gamma);
   m_shading = t.shading;
   m_complete = t.complete;
@@ -60,10 +64,10 @@ SeenFill SeenLook::surfaceAt(float shading, float complete, float facing, float 
     wash.cover = veilStrength * m_opacity;
   else if (m_fill == model::Fill::tint)
     wash = {tintStrength * m_opacity, tintStrength * m_opacity};
-  const float angle = rule::enteringAngle(std::clamp(facing, 0.0f, 1.0f), 0.0f);
+  const float angle = rule::enteringAngle(std::clamp(facing, 0.0f, 1.0f), m_onDark);
   const float entered = rule::enteredAt(angle, bent, shading, complete);
   const float shade = entered * m_opacity;
-  const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), entered);
+  const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), m_onDark > 0.0f ? 1.0f : entered);
   return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};
 }
 

@@ -16,7 +16,7 @@ struct SeenFill {
 
 class SeenLook {
  public:
-  explicit SeenLook(const model::ResolvedStyle& style);
+  explicit SeenLook(const model::ResolvedStyle& style, bool onDark = false);
 
   /// Returns the fill where the surface has that cosine between its normal and the line of sight.
   /// While shading enters, it does so first where the surface is bent (METHOD §7): the share of
@@ -41,6 +41,7 @@ class SeenLook {
 
   model::Fill m_fill;
   float m_gamma;
+  float m_onDark;  ///< 1: drawn as with chalk on a dark ground, else 0
   float m_opacity;
   float m_shading;
   float m_complete;

@@ -38,7 +38,7 @@ SeenMap::SeenMap(const model::Scene& scene, const Screen& screen, model::MeshTre
           !labelled.contains(one.node->id.value))
         continue;
       m_index[one.node->id] = std::uint32_t(m_layers.size());
-      m_layers.emplace_back(scene, *one.node, one.style);
+      m_layers.emplace_back(scene, *one.node, one.style, screen.dark());
     }
   parallelFor(m_layers.size(), 1,
               [&](std::size_t i) { m_layers[i].draw(m_scene, m_screen, m_grid); });

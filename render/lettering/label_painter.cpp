@@ -306,7 +306,8 @@ static void leaveOutHidden(LabelsInPicture& labels) {
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       model::MeshTrees& trees, const LabelTurn& turn) {
   LabelSights sights =
-      labelSights(withLooksInColour(scene, style.inColour), screen.coveredBy(style.reserved),
+      labelSights(withLooksInColour(scene, style.inColour),
+                  screen.coveredBy(style.reserved).onDark(style.ground == Background::dark),
                   style.language, trees, {turn.before, turn.hurried});
   if (style.seenOnly)
     leaveOutHidden(sights.labels);

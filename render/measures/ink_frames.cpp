@@ -8,9 +8,9 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
-#include "render/lines/chains.h"
-#include "render/lines/line_technique.h"
-#include "render/lines/stages.h"
+#include "render/lines/ground/chains.h"
+#include "render/lines/ground/stages.h"
+#include "render/lines/techniques/line_technique.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/vectors/crumbs.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/scene/scene.h"
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
 #include "render/strokes/structure_lines.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/lines/line_technique.h"
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
+#include "render/lines/techniques/line_technique.h"
 #include "render/picture/atlas.h"
 
 namespace sline::render {

@@ -61,7 +61,7 @@ SLINE_WIDE_LOOPS void findShares(const LayerRow& row, const SumRows& to, Shares&
   }
   if (row.haloed)
     for (std::size_t i = 0; i < count; ++i)
-      lines[i] = left[i] > 0.0f && (inks[i] >> 8) > 191 ? 0.0f : lines[i];
+      lines[i] = left[i] > 0.0f && (inks[i] >> 8) > BlendRow::haloAbove ? 0.0f : lines[i];
 }
 
 /// One channel of the layer's fill and ink, and of the sums.
@@ -79,7 +79,7 @@ inline void addChannel(const LayerRow& row, const Shares& shares, const Channel&
   const std::size_t count = row.count;
   for (std::size_t i = 0; i < count; ++i) {
     const auto fill = float(std::int32_t((colours[i] >> shift) & 255u));
-    sums[i] += shares.left[i] * (shares.ink[i] * ink + (1.0f - shares.ink[i]) * fill);
+    sums[i] += shares.left[i] * rule::layered(ink, shares.ink[i], fill);
   }
 }
 

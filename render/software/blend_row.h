@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/raster/tile_mask.h"
+#include "render/sight/rules.h"
 
 namespace sline::render {
 
@@ -27,7 +28,9 @@ struct LayerRow {
 class BlendRow {
  public:
   /// More than this hides all that lies behind; of 255.
-  static constexpr float opaque = 254.5f;
+  static constexpr float opaque = 255.0f * rule::hidesAll;
+  /// A layer whose stored value, of 255, is more keeps lines behind it away.
+  static constexpr int haloAbove = int(255.0f * rule::haloAbove);
 
   /// Begins anew.
   void start();

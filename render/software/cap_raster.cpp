@@ -8,7 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
-#include "render/lines/cut_faces.h"
+#include "render/lines/patterns/cut_faces.h"
+#include "render/sight/rules.h"
 
 namespace sline::render {
 
@@ -118,14 +119,9 @@ class CapDrawer {
     const float stripe = stripeAt(at);
     const glm::vec2 rise(stripeAt(at + glm::vec2(1.0f, 0.0f)) - stripe,
                          stripeAt(at + glm::vec2(0.0f, 1.0f)) - stripe);
-    const float nearest = std::floor(stripe + 0.5f);
-    const bool odd = nearest - 2.0f * std::floor(0.5f * nearest) > 0.5f;
-    const float width = paint.strokeHalfWidth * (odd ? paint.stripes.w : 1.0f);
-    const float distance = std::abs(stripe - nearest) / std::max(glm::length(rise), 1e-6f);
-    // Strokes never become thinner than one pixel; they lose opacity instead (METHOD §4).
-    const float coverage = std::clamp(std::max(width, 0.5f) + 0.5f - distance, 0.0f, 1.0f) *
-                           std::min(1.0f, 2.0f * width);
-    return glm::mix(paint.colour, paint.strokeColour, coverage);
+    return glm::mix(
+        paint.colour, paint.strokeColour,
+        rule::stripeCoverage(stripe, glm::length(rise), paint.strokeHalfWidth, paint.stripes.w));
   }
 
   const RasterCap& m_cap;

@@ -12,17 +12,16 @@
 #include "model/base/lanes.h"
 #include "model/base/parallel.h"
 #include "render/raster/rounding.h"
-#include "render/sight/fill_shading.h"
 #include "render/sight/rules.h"
 #include "render/software/line_sight.h"
-#include "render/software/paper.h"
 #include "render/software/trims.h"
+#include "render/strokes/fill_shading.h"
 
 namespace sline::render {
 
 namespace {
 
-/// The stored value of hidden ink that covers all; a halo is more (resolve.frag.glsl).
+/// The stored value of hidden ink that covers all; a halo is more (layers.glsl).
 constexpr float hiddenCoverage = 0.5f;
 
 /// A piece of a stroke as it is drawn: a capsule, and what of it is in sight. See capsule.glsl.
@@ -54,8 +53,8 @@ Capsule capsuleOf(const InkDraw& draw, const Stroke& s, std::uint32_t sight) {
   Capsule c{};
   c.penA = s.a + s.moveA;
   c.penB = s.b + s.moveB;
-  c.a = c.penA + s.outwardA * std::max(s.halfWidthA - 0.5f, 0.0f);
-  const glm::vec2 b = c.penB + s.outwardB * std::max(s.halfWidthB - 0.5f, 0.0f);
+  c.a = c.penA + s.outwardA * rule::penOutside(s.halfWidthA);
+  const glm::vec2 b = c.penB + s.outwardB * rule::penOutside(s.halfWidthB);
   c.length = glm::distance(c.a, b);
   c.along = c.length > 1e-6f ? (b - c.a) / c.length : glm::vec2(1.0f, 0.0f);
   c.perAlong = 1.0f / c.along;
@@ -131,14 +130,6 @@ Lanes mixed(float a, float b, Lanes t) {
 
 Lanes clamped(Lanes value, float low, float high) {
   return smaller(larger(value, Lanes{} + low), Lanes{} + high);
-}
-
-/// Returns the analytic coverage (METHOD §4).
-float coverageOf(float halfWidth, float distance, float edge) {
-  return std::clamp((halfWidth - distance) / edge + 0.5f, 0.0f, 1.0f);
-}
-Lanes coverageOf(Lanes halfWidth, Lanes distance, float edge) {
-  return clamped((halfWidth - distance) / edge + 0.5f, 0.0f, 1.0f);
 }
 
 /// Returns the nearest whole numbers of numbers of 0 or more.
@@ -236,7 +227,8 @@ class CapsuleDrawer {
   Lanes grained(Lanes coverage, const FourSpots& spots) const {
     if (m_draw.grain > 0.0f)
       for (std::size_t lane = 0; lane < laneCount; ++lane)
-        coverage[lane] *= paperAt({spots.x[lane], spots.y}, {m_draw.grain, m_draw.grainSize});
+        coverage[lane] *=
+            rule::inkTaken({spots.x[lane], spots.y}, {m_draw.grain, m_draw.grainSize});
     return coverage;
   }
 
@@ -245,9 +237,9 @@ class CapsuleDrawer {
     if (seen == 0)
       return;
     const Lanes halfWidth = mixed(c.halfWidthA, c.halfWidthB, spots.t);
-    const Lanes coverage = grained(
-        coverageOf(halfWidth, spots.distance, c.edge) * mixed(c.opacityA, c.opacityB, spots.t),
-        spots);
+    const Lanes coverage = grained(wide_rule::penCoverage(halfWidth, spots.distance, c.edge) *
+                                       mixed(c.opacityA, c.opacityB, spots.t),
+                                   spots);
     put(spots.at, seen & bitsOf(coverage > least), coverage, mixed(c.depthA, c.depthB, spots.t));
   }
 
@@ -278,19 +270,19 @@ class CapsuleDrawer {
       const Lanes fromX = spots.x - mixed(c.penA.x, c.penB.x, spots.t);
       const Lanes fromY = spots.y - mixed(c.penA.y, c.penB.y, spots.t);
       const LaneMask inner = within(c, spots, seen, fromX * fromX + fromY * fromY);
-      // Thinner strokes keep one pixel and lose opacity instead.
       const Lanes thin = halfWidth * c.inner;
-      const Lanes narrower = larger(thin, Lanes{} + 0.5f);
+      const Lanes narrower = wide_rule::penHalfWidth(thin);
       const Lanes outX = mixed(c.outwardA.x, c.outwardB.x, spots.t) + 1e-6f;
       const Lanes outY = mixed(c.outwardA.y, c.outwardB.y, spots.t);
-      const Lanes out = (narrower - 0.5f) / squareRoot(outX * outX + outY * outY);
+      const Lanes out = wide_rule::penOutside(narrower) / squareRoot(outX * outX + outY * outY);
       const Lanes awayX = fromX - outX * out;
       const Lanes awayY = fromY - outY * out;
       halfWidth = inner ? narrower : halfWidth;
-      opacity = inner ? opacity * smaller(thin * 2.0f, Lanes{} + 1.0f) : opacity;
+      opacity = inner ? opacity * wide_rule::penOpacity(thin) : opacity;
       distance = inner ? squareRoot(awayX * awayX + awayY * awayY) : distance;
     }
-    const Lanes coverage = grained(coverageOf(halfWidth, distance, 1.0f) * opacity, spots);
+    const Lanes coverage =
+        grained(wide_rule::penCoverage(halfWidth, distance, 1.0f) * opacity, spots);
     const unsigned inked = seen & bitsOf(coverage > least);
     if (m_draw.kind == InkKind::hidden) {
       const WholeLanes bytes = wholesOf(255.0f * clamped(hiddenCoverage * coverage, 0.0f, 1.0f));
@@ -314,8 +306,9 @@ class CapsuleDrawer {
     if ((sightAt(c, spot.t) & 1u) == 0)
       return;
     const float depth = mixed(c.depthA, c.depthB, spot.t);
-    float coverage = coverageOf(mixed(c.halfWidthA, c.halfWidthB, spot.t), spot.distance, 1.0f) *
-                     mixed(c.opacityA, c.opacityB, spot.t);
+    float coverage =
+        rule::penCoverage(mixed(c.halfWidthA, c.halfWidthB, spot.t), spot.distance, 1.0f) *
+        mixed(c.opacityA, c.opacityB, spot.t);
     // The pixels that the surface covers are whole; only the fringe outside remains.
     if (coverage <= least || m_pixels.surfaceDepthAt(spot.pixel) <= depth)
       return;

@@ -8,14 +8,13 @@
 
 #include "model/base/parallel.h"
 #include "model/base/wide_loops.h"
+#include "render/sight/rules.h"
 #include "render/software/blend_row.h"
 #include "render/software/channels.h"
 
 namespace sline::render {
 
 namespace {
-
-constexpr float hiddenStrength = 0.5f;
 
 /// A layer within a square.
 struct Here {
@@ -137,15 +136,13 @@ class SquareBlender {
   std::uint32_t colourAt(int i, int x, int y) const {
     const std::span<const Found> found = foundAt(i);
     Channels sum{};
-    float left = 1.0f;   // the share of what lies behind that is seen
     float lines = 1.0f;  // the share of lines that is left behind the halos of nearer layers
     for (const Found& each : found) {
-      sum += left * layerColour(each, lines);
-      left = 1.0f - sum[3] * (1.0f / 255.0f);
+      sum = wide_rule::laidBehind(sum, sum[3] * (1.0f / 255.0f), layerColour(each, lines));
       if (sum[3] > BlendRow::opaque)
         break;
     }
-    const Channels colour = sum + left * m_background;
+    const Channels colour = wide_rule::laidBehind(sum, sum[3] * (1.0f / 255.0f), m_background);
     return wordOf(withHiddenLines(colour, x, y));
   }
 
@@ -177,7 +174,7 @@ class SquareBlender {
   }
 
   static bool isBehind(const Found& found, float depth, std::size_t rank) {
-    return found.depth > depth || (found.depth == depth && found.here->rank > rank);
+    return rule::liesBefore(depth, float(rank), found.depth, float(found.here->rank));
   }
 
   static Channels layerColour(const Found& found, float& lines) {
@@ -187,9 +184,9 @@ class SquareBlender {
     if (ink == 0)
       return colour;
     const float coverage = lines * float(ink & 0xff) * (1.0f / 255.0f);
-    if (layer.haloed && (ink >> 8) > 191)
+    if (layer.haloed && (ink >> 8) > BlendRow::haloAbove)
       lines = 0.0f;
-    return coverage * found.here->ink + (1.0f - coverage) * colour;
+    return wide_rule::layered(found.here->ink, coverage, colour);
   }
 
   /// Lays the hidden lines of all layers over the pixel. A line that is seen has the same ink and
@@ -201,8 +198,7 @@ class SquareBlender {
       if (x < area.x || y < area.y || x >= area.right() || y >= area.top())
         continue;
       const float stored = float(pixels.inks[pixels.at(x, y)] >> 8) * (1.0f / 255.0f);
-      const float coverage = stored > 0.75f ? 0.0f : std::min(2.0f * stored, 1.0f) * hiddenStrength;
-      colour = coverage * here.ink + (1.0f - coverage) * colour;
+      colour = wide_rule::layered(here.ink, rule::hiddenCoverage(stored), colour);
     }
     return colour;
   }

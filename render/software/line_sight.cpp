@@ -2,11 +2,10 @@
 #include "render/software/line_sight.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/sight/rules.h"
+#include "render/sight/contour_look.h"
 
 namespace sline::render {
 
@@ -24,29 +23,10 @@ bool surfaceLineInSight(const LayerPixels& pixels, const Place& place, float tol
   const float step = float(pixels.step());
   for (int k = 0; k < 4; ++k) {
     const glm::vec2 to = (glm::vec2(float(k & 1), float(k >> 1)) - 0.5f) * step;
-    if (place.depth - tolerance <= pixels.surfaceDepthAt(place.at + to))
+    if (rule::leavesInSight(pixels.surfaceDepthAt(place.at + to), place.depth, tolerance))
       return true;
   }
   return false;
-}
-
-/// Returns at which of the looks a contour is in sight; 4 where it is hidden. Within a step its own
-/// surface falls away from the eye or ends, while a hidden contour has something nearer on both
-/// sides. Where a surface is seen along its length, its triangles' outline may lie a few pixels
-/// outside the line: there, and only if the same sheet hides the line, a wider step counts.
-int contourLook(const LayerPixels& pixels, const Place& place, const glm::vec2& reach,
-                float tolerance, float sheet) {
-  const std::array<float, 4> outside{0.0f, reach.x, 0.5f * (reach.x + reach.y), reach.y};
-  float here = 0.0f;
-  for (int k = 0; k < 4; ++k) {
-    const float surface = pixels.surfaceDepthAt(place.at + outside[std::size_t(k)] * place.outward);
-    if (place.depth - tolerance <= surface)
-      return k;
-    here = k == 0 ? surface : here;
-    if (k == 1 && place.depth - sheet > here)
-      break;
-  }
-  return 4;
 }
 
 }  // namespace
@@ -70,11 +50,13 @@ std::uint32_t lineSight(const LayerPixels& pixels, const InkDraw& draw, const St
     }
     place.outward =
         glm::normalize(glm::mix(stroke.outwardA, stroke.outwardB, t) + glm::vec2(1e-6f, 0.0f));
-    const int look = contourLook(pixels, place, draw.reach, tolerance, sheet);
-    if (look == 4)
+    const std::optional<int> look = contourLook(
+        {place.depth, tolerance, sheet, draw.reach},
+        [&](float outside) { return pixels.surfaceDepthAt(place.at + outside * place.outward); });
+    if (!look)
       continue;
     sight |= 1u << i;
-    const float beyond = draw.probe + (look > 1 ? draw.reach.y : 0.0f);
+    const float beyond = rule::probeOutside(*look, draw.probe, draw.reach);
     if (pixels.surfaceDepthAt(place.at + beyond * place.outward) < 1.0f)
       sight |= 0x10000u << i;
   }

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "model/base/parallel.h"
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/view_fields.h"
 #include "render/software/cluster_cuts.h"
 #include "render/software/placed_clusters.h"
 #include "render/software/surface_values.h"

@@ -8,8 +8,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/sight/fill_shading.h"
 #include "render/software/layer_pixels.h"
+#include "render/strokes/fill_shading.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {

@@ -2,7 +2,7 @@
 // Finds which pixels a structure and its strokes can touch, from the surface's clusters alone.
 #pragma once
 
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
 #include "render/strokes/section_caps.h"

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 #include "render/strokes/picture_view.h"
 
 namespace sline::render {

@@ -7,7 +7,7 @@
 
 #include "model/anatomy/cut_pattern.h"
 #include "model/scene/scene.h"
-#include "render/lines/stroke_layout.h"
+#include "render/lines/hatching/stroke_layout.h"
 #include "render/strokes/prepared_surface.h"
 #include "render/strokes/sectioned_surface.h"
 

@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render/lines/chains.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/ground/chains.h"
+#include "render/lines/techniques/line_technique.h"
 #include "render/strokes/stroke_maker.h"
 
 namespace sline::render {

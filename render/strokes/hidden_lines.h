@@ -9,9 +9,8 @@
 
 namespace sline::render {
 
-/// The share of their structure's pen that hidden outlines have, and their strength.
+/// The share of their structure's pen that hidden outlines have.
 inline constexpr float hiddenWidth = 0.6f;
-inline constexpr float hiddenStrength = 0.5f;
 
 /// Returns the dashes of the lines, which must be curved (line_curves.h): about 6 λ drawn, 4 λ not,
 /// by the length of the curve in the picture. They are counted from where a line crosses heights

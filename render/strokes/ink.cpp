@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/sight/rules.h"
+
 namespace sline::render {
 
 namespace {
@@ -14,7 +16,7 @@ namespace {
 constexpr float pieceOverlap = 0.25f;
 
 glm::vec2 outside(float halfWidth, const glm::vec2& outward) {
-  return std::max(halfWidth - 0.5f, 0.0f) * outward;
+  return rule::penOutside(halfWidth) * outward;
 }
 
 /// Makes the stroke end at the share `t` of its way, or begin there. The pen's way stays straight.

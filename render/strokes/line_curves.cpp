@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/base/parallel.h"
+#include "render/sight/rules.h"
 #include "render/strokes/curve_samples.h"
 #include "render/strokes/polyline_filter.h"
 
@@ -134,13 +135,13 @@ class CurveMaker {
   JointPoint jointPoint(std::size_t i) const {
     const float width = m_settings.pen * m_line.pressure[i];
     const glm::vec2 pixel = m_line.pixelOf(i);
-    return {.drawn = pixel + m_line.moveOf(i) +
-                     std::max(0.5f * width - 0.5f, 0.0f) * m_line.outwardOf(i),
-            .line = pixel,
-            .depth = -glm::dot(m_line.placeOf(i), m_back),
-            .width = width,
-            .opacity = m_line.opacity[i],
-            .entry = m_line.entry[i]};
+    return {
+        .drawn = pixel + m_line.moveOf(i) + rule::penOutside(0.5f * width) * m_line.outwardOf(i),
+        .line = pixel,
+        .depth = -glm::dot(m_line.placeOf(i), m_back),
+        .width = width,
+        .opacity = m_line.opacity[i],
+        .entry = m_line.entry[i]};
   }
 
   Segment piece(std::size_t from, std::size_t to) const {

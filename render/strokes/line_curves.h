@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/lines/chains.h"
+#include "render/lines/ground/chains.h"
 #include "render/strokes/line_joints.h"
 #include "render/strokes/picture_view.h"
 

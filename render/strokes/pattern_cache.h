@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "render/lines/tissue_pattern.h"
+#include "render/lines/patterns/tissue_pattern.h"
 
 namespace sline::render {
 

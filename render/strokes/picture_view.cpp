@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/view_fields.h"
 
 namespace sline::render {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/fairing/faired.h"
-#include "render/lines/hatching.h"
+#include "render/lines/hatching/hatching.h"
 
 namespace sline::render {
 

@@ -5,8 +5,8 @@
 
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
-#include "render/lines/line_preparations.h"
-#include "render/lines/stroke_layout.h"
+#include "render/lines/hatching/stroke_layout.h"
+#include "render/lines/techniques/line_preparations.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/line_scale.h"
 

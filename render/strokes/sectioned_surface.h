@@ -8,7 +8,7 @@
 
 #include "model/geometry/surface.h"
 #include "model/scene/section.h"
-#include "render/lines/cut_faces.h"
+#include "render/lines/patterns/cut_faces.h"
 #include "render/strokes/pattern_cache.h"
 
 namespace sline::render {

@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/sight/rules.h"
+
 namespace sline::render {
 
 namespace {
@@ -27,8 +29,8 @@ bool liesWithin(const Stroke& s, const PixelRect& area) {
 
 /// Returns the middle of the pen at an end.
 glm::vec2 penAt(const Stroke& s, bool atB) {
-  return atB ? s.b + s.moveB + std::max(s.halfWidthB - 0.5f, 0.0f) * s.outwardB
-             : s.a + s.moveA + std::max(s.halfWidthA - 0.5f, 0.0f) * s.outwardA;
+  return atB ? s.b + s.moveB + rule::penOutside(s.halfWidthB) * s.outwardB
+             : s.a + s.moveA + rule::penOutside(s.halfWidthA) * s.outwardA;
 }
 
 /// Tells whether a stroke begins as the one before it ends.

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/lines/stage_entry.h"
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/stage_entry.h"
+#include "render/lines/ground/view_fields.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/structure_lines.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/scene/style.h"
-#include "render/lines/hatching.h"
-#include "render/lines/lines.h"
+#include "render/lines/hatching/hatching.h"
+#include "render/lines/techniques/lines.h"
 #include "render/raster/pixel_rect.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"

@@ -2,8 +2,8 @@
 #include "render/strokes/surface_fill.h"
 
 #include "model/base/contrast.h"
-#include "render/lines/lines.h"
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
+#include "render/lines/techniques/lines.h"
 
 namespace sline::render {
 

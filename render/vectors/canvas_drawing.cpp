@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/base/parallel.h"
+#include "render/sight/rules.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/surface_fill.h"
 #include "render/vectors/depth_layer.h"
@@ -75,8 +76,8 @@ void paintFills(const LayerStack& stack, const glm::vec4& ground, CanvasDrawing&
       stack.seenAt(x, y, fills);
       glm::vec4 sum(0.0f);
       for (const SeenFill& fill : fills)
-        sum += fill.colour * (1.0f - sum.a);
-      sum += ground * (1.0f - sum.a);
+        sum = laidBehind(sum, fill.colour);
+      sum = laidBehind(sum, ground);
       for (int c = 0; c < 4; ++c)
         out[c] = std::uint8_t(std::lround(255.0f * std::clamp(sum[c], 0.0f, 1.0f)));
     }
@@ -113,7 +114,7 @@ struct StructurePen {
          inkChains(hiddenStrokes(work.shown.surface(), view, style, work.lines, work.area)))
       for (const VisibleStroke& stroke :
            withinPage(visibleStrokes(chain, behindOthers), view.size()))
-        pen.add(stroke, ink, hiddenStrength * even);
+        pen.add(stroke, ink, rule::hiddenShare * even);
     for (const LineLayer& layer : takeLayers(work))
       for (const VisibleStroke& stroke :
            seenLines(work, layer.lines, sceneOf(work, index, layer.opacity), view))

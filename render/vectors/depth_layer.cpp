@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
 #include "render/strokes/structure_lines.h"
 #include "render/vectors/fill_tones.h"
 

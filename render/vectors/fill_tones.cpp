@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
-#include "render/lines/view_fields.h"
-#include "render/sight/fill_shading.h"
+#include "render/lines/ground/view_fields.h"
+#include "render/strokes/fill_shading.h"
 
 namespace sline::render {
 

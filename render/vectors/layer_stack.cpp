@@ -5,22 +5,18 @@
 #include <array>
 #include <cmath>
 
+#include "render/sight/rules.h"
+
 namespace sline::render {
 
 namespace {
 
-// The opacity at which resolve.frag.glsl stops.
-constexpr float opaque = 0.998f;
 // This many of the nearest layers before a point count; more than a dozen glazes hide
 // everything.
 constexpr std::size_t mostLayers = 32;
 
-bool liesBefore(float depth, std::size_t layer, float otherDepth, std::size_t other) {
-  return depth < otherDepth || (depth == otherDepth && layer < other);
-}
-
 bool nearerFirst(const SeenFill& a, const SeenFill& b) {
-  return liesBefore(a.depth, a.layer, b.depth, b.layer);
+  return rule::liesBefore(a.depth, float(a.layer), b.depth, float(b.layer));
 }
 
 // Outlines are looked for on two rings around a pixel.
@@ -36,6 +32,13 @@ std::array<glm::vec2, 2 * ringDirections> ringWays() {
 }
 
 }  // namespace
+
+glm::vec4 laidBehind(const glm::vec4& nearer, const glm::vec4& colour) {
+  const auto channel = [&](glm::length_t c) {
+    return rule::laidBehind(nearer[c], nearer.a, colour[c]);
+  };
+  return {channel(0), channel(1), channel(2), channel(3)};
+}
 
 LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     : m_layers(layers),
@@ -80,18 +83,18 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
     const DepthLayer& layer = m_layers[i];
     const std::ptrdiff_t at = i == own ? -1 : layer.index(x, y);
     if (at < 0 || layer.tones[std::size_t(at)] == 0 || count == mostLayers ||
-        !liesBefore(layer.depths[std::size_t(at)], i, depth, own))
+        !rule::liesBefore(layer.depths[std::size_t(at)], float(i), depth, float(own)))
       continue;
     const glm::vec4& colour = layer.colours[std::size_t(layer.tones[std::size_t(at)] - 1)];
-    if (colour.a >= opaque)
+    if (colour.a >= rule::hidesAll)
       return {glm::vec3(0.0f), 0.0f};
     fills[count++] = {layer.depths[std::size_t(at)], i, colour};
   }
   std::sort(fills.begin(), fills.begin() + std::ptrdiff_t(count), nearerFirst);
   glm::vec4 sum(0.0f);
   for (std::size_t i = 0; i < count; ++i)
-    sum += fills[i].colour * (1.0f - sum.a);
-  if (sum.a >= opaque)
+    sum = laidBehind(sum, fills[i].colour);
+  if (sum.a >= rule::hidesAll)
     return {glm::vec3(0.0f), 0.0f};
   return {glm::vec3(sum), 1.0f - sum.a};
 }
@@ -147,7 +150,9 @@ LayerStack::Ring LayerStack::ringOf(std::size_t layer, const LinePlace& line, fl
     if (!(there < 1.0f))
       continue;
     const float beside = surfaces ? m_layers[own].depthAt(at) : 1.0f;
-    ++(liesBefore(there, layer, beside < 1.0f ? beside : depth, own) ? ring.before : ring.behind);
+    ++(rule::liesBefore(there, float(layer), beside < 1.0f ? beside : depth, float(own))
+           ? ring.before
+           : ring.behind);
   }
   return ring;
 }
@@ -180,8 +185,8 @@ std::optional<std::size_t> LayerStack::hider(int x, int y, float depth, std::siz
       continue;
     const std::uint8_t tone = m_layers[i].tones[std::size_t(at)];
     const float itsDepth = m_layers[i].depths[std::size_t(at)];
-    if (tone == 0 || m_layers[i].colours[std::size_t(tone - 1)].a < opaque ||
-        !liesBefore(itsDepth, i, nearestDepth, before))
+    if (tone == 0 || m_layers[i].colours[std::size_t(tone - 1)].a < rule::hidesAll ||
+        !rule::liesBefore(itsDepth, float(i), nearestDepth, float(before)))
       continue;
     nearest = before = i;
     nearestDepth = itsDepth;
@@ -198,8 +203,9 @@ void LayerStack::seenAt(int x, int y, std::vector<SeenFill>& fills) const {
                        m_layers[i].colours[std::size_t(m_layers[i].tones[std::size_t(at)] - 1)]});
   }
   std::sort(fills.begin(), fills.end(), nearerFirst);
-  const auto last = std::find_if(fills.begin(), fills.end(),
-                                 [](const SeenFill& fill) { return fill.colour.a >= opaque; });
+  const auto last = std::find_if(fills.begin(), fills.end(), [](const SeenFill& fill) {
+    return fill.colour.a >= rule::hidesAll;
+  });
   if (last != fills.end())
     fills.erase(last + 1, fills.end());
 }

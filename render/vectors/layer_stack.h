@@ -24,6 +24,9 @@ struct SeenFill {
   glm::vec4 colour{0.0f};  ///< premultiplied
 };
 
+/// Returns what shows of nearer layers and of another behind them, premultiplied.
+glm::vec4 laidBehind(const glm::vec4& nearer, const glm::vec4& colour);
+
 class LayerStack {
  public:
   /// Stacks the layers, given in the order of their structures' ids, in a picture of that size.

@@ -7,7 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "render/strokes/coinciding.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/gamma_offsets.h"

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "model/base/parallel.h"
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
+#include "render/sight/rules.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
@@ -224,7 +225,8 @@ class Drawing {
       for (const VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
         pen.add(stroke, inkColour(style, m_settings.environment.background));
     if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
-      structure.lines.push_back({"Hidden outlines", hiddenStrength * ink, true, std::move(shapes)});
+      structure.lines.push_back(
+          {"Hidden outlines", rule::hiddenShare * ink, true, std::move(shapes)});
   }
 
   const model::Scene& m_scene;

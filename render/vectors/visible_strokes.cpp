@@ -5,8 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
-#include "render/sight/rules.h"
+#include "render/sight/contour_look.h"
 
 namespace sline::render {
 
@@ -50,13 +51,15 @@ class StrokeSampler {
     float seenAt = depth;
     if (s.kind == StrokeKind::contour) {
       const glm::vec2 outward = outwardAt(s, t);
-      float wide = 0.0f;
-      if (!contourVisible(on, depth, s.tolerance, outward, wide))
+      const std::optional<int> look = lookFor(on, depth, s.tolerance, outward);
+      if (!look)
         return sample;
       const float left = s.innerShare;
-      if (left < 1.0f && depthAt(on + (wide + m_scene.probes.probe) * outward) < 1.0f)
+      if (left < 1.0f &&
+          depthAt(on + rule::probeOutside(*look, m_scene.probes.probe, m_scene.probes.reach) *
+                           outward) < 1.0f)
         halfWidth *= left;
-      sample.point.at = on + move + std::max(halfWidth - 0.5f, 0.0f) * outward;
+      sample.point.at = on + move + rule::penOutside(halfWidth) * outward;
       seenAt = lifted(depth, 2.0f * s.tolerance);
     } else if (!surfaceLineVisible(on, depth, s.tolerance)) {
       return sample;
@@ -93,21 +96,10 @@ class StrokeSampler {
     return std::clamp(windowDepth - lift, 0.0f, windowDepth);
   }
 
-  /// Tests a contour as sight.frag.glsl does.
-  bool contourVisible(const glm::vec2& on, float depth, float tolerance, const glm::vec2& outward,
-                      float& wide) const {
-    const glm::vec2 reach = m_scene.probes.reach;
-    const float here = depthAt(on);
-    float behind = std::max(here, depthAt(on + reach.x * outward));
-    const float distance = distanceAt(depth);
-    if (distance <= distanceAt(behind) + tolerance)
-      return true;
-    if (distance > distanceAt(here) + m_scene.probes.sheet)
-      return false;
-    wide = reach.y;
-    behind = std::max(depthAt(on + 0.5f * (reach.x + reach.y) * outward),
-                      depthAt(on + reach.y * outward));
-    return distance <= distanceAt(behind) + tolerance;
+  std::optional<int> lookFor(const glm::vec2& on, float depth, float tolerance,
+                             const glm::vec2& outward) const {
+    return contourLook({distanceAt(depth), tolerance, m_scene.probes.sheet, m_scene.probes.reach},
+                       [&](float outside) { return distanceAt(depthAt(on + outside * outward)); });
   }
 
   /// Tests a line as sight.frag.glsl does.
@@ -116,7 +108,7 @@ class StrokeSampler {
     const float behind = std::max(
         std::max(depthAt(corner), depthAt(corner + glm::vec2(1.0f, 0.0f))),
         std::max(depthAt(corner + glm::vec2(0.0f, 1.0f)), depthAt(corner + glm::vec2(1.0f, 1.0f))));
-    return depth <= behind || distanceAt(depth) <= distanceAt(behind) + tolerance;
+    return depth <= behind || rule::leavesInSight(distanceAt(behind), distanceAt(depth), tolerance);
   }
 
   const StrokeScene& m_scene;

@@ -14,7 +14,7 @@
 #include "model/scene/framing.h"
 #include "render/labels/anchors.h"
 #include "render/labels/obstacles.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 
 namespace sline::render::web {
 

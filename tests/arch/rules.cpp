@@ -290,6 +290,29 @@ Complaints checkSizes(const File& file, const House& house) {
   return out;
 }
 
+Complaints checkRoomSizes(const std::vector<File>& files, const House& house,
+                          const std::map<std::string, std::size_t>& larger) {
+  constexpr std::size_t most = 4000;
+  std::map<std::string, std::size_t> sizes;
+  for (const File& file : files)
+    if (const std::string room = roomOf(house, file.path); !room.empty() && !isTest(file.path))
+      sizes[room] += linesOf(file.text).size();
+  Complaints out;
+  const auto told = [](const std::string& room, std::size_t lines) {
+    return room + " has " + std::to_string(lines) + " lines";
+  };
+  for (const auto& [room, lines] : sizes) {
+    const auto known = larger.find(room);
+    const std::size_t allowed = known == larger.end() ? most : known->second;
+    if (lines > allowed)
+      out.push_back(told(room, lines) + ", not at most " + std::to_string(allowed));
+  }
+  for (const auto& [room, lines] : larger)
+    if (sizes[room] <= most)
+      out.push_back(told(room, sizes[room]) + " and need not be listed as larger");
+  return out;
+}
+
 Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& paths) {
   const std::string own = file.path.substr(0, file.path.rfind('.')) + ".h";
   if (!file.path.ends_with(".cpp") || !paths.contains(own))

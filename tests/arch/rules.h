@@ -36,6 +36,10 @@ Complaints checkLinks(const File& list, const std::map<std::string, std::string>
 /// Checks sizes: header ≤ 250 lines, source ≤ 500, function ≤ 60, at most five parameters, except
 /// in files that ARCHITECTURE.md lists as exceptions.
 Complaints checkSizes(const File& file, const House& house);
+/// Checks that no room holds more than 4,000 lines of C++, except those of `larger`, which hold no
+/// more than is said there and still more than 4,000.
+Complaints checkRoomSizes(const std::vector<File>& files, const House& house,
+                          const std::map<std::string, std::size_t>& larger);
 /// Checks that a source file includes its own header, if the tree has one, before anything else:
 /// this shows that the header compiles alone. `paths` are the tree's.
 Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& paths);

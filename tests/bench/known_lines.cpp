@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "render/export/comparison/noisy_mesh.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/support/found_lines.h"
 
 namespace sline::bench {

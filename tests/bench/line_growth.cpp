@@ -9,7 +9,7 @@
 
 #include "model/geometry/surface.h"
 #include "render/gpu/headless/context.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/stage.h"
 #include "tests/bench/vtk_phong.h"

@@ -7,8 +7,8 @@
 
 #include "model/edit/look.h"
 #include "model/scene/visible_structures.h"
-#include "render/lines/line_technique.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/line_technique.h"
+#include "render/lines/techniques/technique_list.h"
 #include "render/strokes/prepared_surface.h"
 #include "tests/bench/measure.h"
 

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <vector>
 
-#include "render/lines/confis.h"
-#include "render/lines/line_technique.h"
-#include "render/lines/ridges.h"
+#include "render/lines/techniques/confis.h"
+#include "render/lines/techniques/line_technique.h"
+#include "render/lines/techniques/ridges.h"
 
 namespace sline::test {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "model/geometry/surface.h"
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 #include "tests/support/known_lines.h"
 
 namespace sline::test {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "widgets/gamma/technique_texts.h"
 
 namespace sline::widgets {

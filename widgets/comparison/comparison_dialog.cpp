@@ -18,7 +18,7 @@
 
 #include "model/scene/visible_structures.h"
 #include "render/export/comparison/comparison_file.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "widgets/gamma/technique_texts.h"
 #include "widgets/text/path_text.h"
 #include "widgets/text/told.h"

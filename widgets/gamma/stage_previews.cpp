@@ -6,7 +6,7 @@
 
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
-#include "render/lines/hatching.h"
+#include "render/lines/hatching/hatching.h"
 #include "widgets/gamma/stage_strip.h"
 
 namespace sline::widgets {

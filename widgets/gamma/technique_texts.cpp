@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>  // QT_TRANSLATE_NOOP
 
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "widgets/gamma/selected_looks.h"
 #include "widgets/gamma/technique_texts.h"
 

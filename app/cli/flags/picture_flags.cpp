@@ -17,7 +17,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/pixels/image_file.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "render/picture/headless/headless_picture.h"
 
 namespace sline::cli {

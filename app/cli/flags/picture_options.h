@@ -10,7 +10,7 @@
 #include "app/cli/flags/picture_flags.h"
 #include "app/cli/flags/section_options.h"
 #include "app/cli/flags/style_flags.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 
 namespace sline::cli {
 

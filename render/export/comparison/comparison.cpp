@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/resolved_styles.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 #include "render/measures/ink_frames.h"
 
 namespace sline::render {

@@ -7,7 +7,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/comparison/sheet_numbers.h"
 #include "render/lettering/label_texts.h"
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 
 namespace sline::render {
 

@@ -37,6 +37,11 @@ void shareExtent(std::vector<LabelSights>& sights) {
 
 }  // namespace
 
+Screen FilmLabels::screenOf(const FilmFrame& frame) const {
+  return Screen(frame.camera, m_order.page.sizeMm)
+      .onDark(m_order.environment.background == Background::dark);
+}
+
 ExportOrder FilmLabels::orderOf(const FilmFrame& frame) const {
   ExportOrder now;
   now.scene = frame.scene;
@@ -133,8 +138,7 @@ bool FilmLabels::lookAtAnatomy(const Film& film, const std::function<bool(double
     if (!go(double(i) / double(film.frames())))
       return false;
     const FilmFrame frame = film.at(i);
-    const SeenArea now =
-        SeenMap(frame.scene, Screen(frame.camera, m_order.page.sizeMm), &m_trees).drawnArea();
+    const SeenArea now = SeenMap(frame.scene, screenOf(frame), &m_trees).drawnArea();
     if (!m_drawn)
       m_drawn = now;
     for (std::size_t k = 0; k < now.cells.size(); ++k)
@@ -193,14 +197,14 @@ bool FilmLabels::lookAt(const Film& film, const std::function<bool(double)>& go)
   const auto next = [&] { return go(double(done++) / double(looks)); };
   for (int i = 0; i < film.frames() && next(); i += step) {
     const FilmFrame frame = film.at(i);
-    addPlaces(m_pool, frame.scene, Screen(frame.camera, m_order.page.sizeMm), m_trees);
+    addPlaces(m_pool, frame.scene, screenOf(frame), m_trees);
   }
   for (int i = 0; i < film.frames(); ++i) {
     if (!next())
       return false;
     const FilmFrame frame = film.at(i);
-    m_sights.push_back(labelSights(frame.scene, Screen(frame.camera, m_order.page.sizeMm),
-                                   m_order.labels.language, m_trees, {.pool = &m_pool}));
+    m_sights.push_back(labelSights(frame.scene, screenOf(frame), m_order.labels.language, m_trees,
+                                   {.pool = &m_pool}));
   }
   choosePlaces(m_sights, m_pool, film);
   return true;

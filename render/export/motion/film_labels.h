@@ -35,6 +35,7 @@ class FilmLabels {
 
  private:
   ExportOrder orderOf(const FilmFrame& frame) const;
+  Screen screenOf(const FilmFrame& frame) const;
   LabelStyle style() const;
   /// Finds what any of the frames shows; returns false where `go` does.
   bool lookAtAnatomy(const Film& film, const std::function<bool(double)>& go);

@@ -192,7 +192,7 @@ class SheetMaker {
 
   Status addThings(QuestionSheet& sheet, const FigurePlate& plate) {
     const NameSource names(m_order);
-    const SeenMap seen(m_order.scene, Screen(m_order.camera, m_order.page.sizeMm), &m_trees);
+    const SeenMap seen(m_order.scene, pageScreen(m_order), &m_trees);
     for (const model::Question& question : m_asked.questions) {
       SheetThing thing{.words = plainWords(question)};
       const model::AnnotationId* shown = nullptr;

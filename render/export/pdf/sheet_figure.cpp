@@ -33,7 +33,7 @@ struct Candidate {
 };
 
 std::vector<Candidate> candidates(const ExportOrder& order) {
-  const Screen screen(order.camera, order.page.sizeMm);
+  const Screen screen = pageScreen(order);
   const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
   const SeenMap map(scene, screen);
   std::vector<Candidate> all;

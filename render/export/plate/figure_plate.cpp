@@ -63,7 +63,7 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
 /// Returns what the picture shows, of which marks and labels keep off.
 SeenArea drawnIn(const ExportOrder& order, model::MeshTrees& trees) {
   const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
-  return SeenMap(scene, Screen(order.camera, order.page.sizeMm), &trees).drawnArea();
+  return SeenMap(scene, pageScreen(order), &trees).drawnArea();
 }
 
 /// Returns how much of the strips at the left and the right edge, each that share of the width,
@@ -133,7 +133,7 @@ bool framed(FigurePlate& plate, const ExportOrder& order, model::MeshTrees& tree
 void addLabelPlate(FigurePlate& plate, const ExportOrder& order, model::MeshTrees& trees,
                    const LabelTurn& turn, std::optional<SeenArea> drawn) {
   const LabelStyle style = styleBeside(order, plate.marks);
-  const Screen screen(order.camera, order.page.sizeMm);
+  const Screen screen = pageScreen(order);
   // Below what cuts the picture off there is ground.
   if (drawn && plate.marks.cutOff)
     drawn = areaAbove(std::move(*drawn), plate.marks.cutOff->low.y);
@@ -184,8 +184,13 @@ FigurePlate figurePlate(const ExportOrder& order) {
   return figurePlate(order, trees);
 }
 
+Screen pageScreen(const ExportOrder& order) {
+  return Screen(order.camera, order.page.sizeMm)
+      .onDark(order.environment.background == Background::dark);
+}
+
 Screen screenSeen(const ExportOrder& order, model::MeshTrees& trees) {
-  Screen page(order.camera, order.page.sizeMm);
+  Screen page = pageScreen(order);
   // Where much is free beside the anatomy labels have ground; it need not be tried.
   constexpr float beside = 0.2f;  // of the width
   constexpr float full = 0.35f;

@@ -20,6 +20,8 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees,
                         const LabelTurn& turn = {});
 FigurePlate figurePlate(const ExportOrder& order);
 
+/// Returns the screen of the order's whole page.
+Screen pageScreen(const ExportOrder& order);
 /// Returns the screen of what a picture of the order shows: within its frame, if it gets one.
 Screen screenSeen(const ExportOrder& order, model::MeshTrees& trees);
 

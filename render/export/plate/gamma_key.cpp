@@ -8,7 +8,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
 
 namespace sline::render {
 

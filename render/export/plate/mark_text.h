@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "render/labels/seen_map.h"
+#include "render/export/plate/marks.h"
 #include "render/lettering/lettering.h"
 
 namespace sline::render {

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "model/scene/camera_moves.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/export/plate/mark_text.h"
 #include "render/lettering/column_widths.h"
 #include "render/lettering/looks_in_colour.h"
@@ -14,9 +15,8 @@ namespace sline::render {
 
 namespace {
 
-constexpr float leastShare = 0.5f;   // of the page that is left within a frame
-constexpr float mostColumn = 0.24f;  // of the page's width, for either column's labels
-constexpr float framePen = 0.2f;     // millimetres
+constexpr float leastShare = 0.5f;  // of the page that is left within a frame
+constexpr float framePen = 0.2f;    // millimetres
 
 void move(glm::vec2& p, const glm::vec2& by) {
   p += by;
@@ -62,20 +62,21 @@ std::optional<LabelBox> frameBeside(const ExportOrder& order, const LabelPlate& 
   for (const ShownLabel& label : labels.labels)
     if (!label.item.offset)
       widest = std::max(widest, label.item.box.x);
-  widest = std::min(widest, mostColumn * page.x);
+  float column = std::min(widest + besideColumnMm(), 0.5f * (1.0f - leastShare) * page.x);
   if (marks.legend)
-    widest = std::max(widest, page.x - marks.legend->low.x);
+    column = std::max(column, page.x - marks.legend->low.x);
   const glm::vec2 around{
-      widest + besideColumnMm(),
-      std::max(markMargin, std::max(marks.edges.top, marks.edges.bottom) + framePen)};
+      column, std::max(markMargin, std::max(marks.edges.top, marks.edges.bottom) + framePen)};
   const glm::vec2 left = page - 2.0f * around;
-  if (left.x < leastShare * page.x || left.y < leastShare * page.y)
+  constexpr float rounding = 1e-3f;
+  if (left.x < leastShare * page.x - rounding || left.y < leastShare * page.y)
     return std::nullopt;
   return LabelBox{around, page - around};
 }
 
 Screen screenWithin(const Screen& page, const LabelBox& frame) {
-  return {model::withHeight(page.camera(), frame.size().y / page.size().y), frame.size()};
+  return Screen(model::withHeight(page.camera(), frame.size().y / page.size().y), frame.size())
+      .onDark(page.dark());
 }
 
 SeenArea areaWithin(SeenArea area, const LabelBox& frame) {
@@ -89,7 +90,7 @@ SeenArea areaWithin(SeenArea area, const LabelBox& frame) {
 LabelPlate labelsBesideFrame(const ExportOrder& order, const LabelStyle& style,
                              const LabelBox& frame, model::MeshTrees& trees,
                              const LabelTurn& turn) {
-  const Screen screen = screenWithin(Screen(order.camera, order.page.sizeMm), frame);
+  const Screen screen = screenWithin(pageScreen(order), frame);
   LabelStyle within = style;
   within.edges.top = std::max(0.0f, style.edges.top - frame.low.y);
   within.edges.bottom = std::max(0.0f, style.edges.bottom - frame.low.y);
@@ -113,12 +114,14 @@ LabelPlate labelsBesideFrame(const ExportOrder& order, const LabelStyle& style,
 }
 
 void addFrame(Marks& marks, const LabelBox& frame, const ExportOrder& order) {
-  const glm::vec2& page = order.page.sizeMm;
+  // Pens reach a little beyond the page on paper that goes on there.
+  constexpr float beyond = 0.6f;
+  const LabelBox all = LabelBox{glm::vec2(0.0f), order.page.sizeMm}.grown(beyond);
   addGround(marks,
-            std::array<LabelBox, 4>{{{{0.0f, 0.0f}, {page.x, frame.low.y}},
-                                     {{0.0f, frame.high.y}, page},
-                                     {{0.0f, frame.low.y}, {frame.low.x, frame.high.y}},
-                                     {{frame.high.x, frame.low.y}, {page.x, frame.high.y}}}});
+            std::array<LabelBox, 4>{{{all.low, {all.high.x, frame.low.y}},
+                                     {{all.low.x, frame.high.y}, all.high},
+                                     {{all.low.x, frame.low.y}, {frame.low.x, frame.high.y}},
+                                     {{frame.high.x, frame.low.y}, {all.high.x, frame.high.y}}}});
   LetteringItem item{.name = std::string(frameName), .shapes = {}, .text = {}};
   item.shapes.push_back({.path = roundedBox(frame.low, frame.high, 0.0f),
                          .pen = framePen,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "render/export/order/test_options.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/labels/anchors.h"
 
 namespace sline::render {
@@ -48,7 +49,7 @@ std::set<model::AnnotationId> seenLabels(const ExportOrder& order,
                                          const std::vector<model::Question>& questions,
                                          model::MeshTrees& trees) {
   const model::Scene asked = askedAlone(order, questions).scene;
-  const Screen screen(order.camera, order.page.sizeMm);
+  const Screen screen = pageScreen(order);
   const SeenMap map(asked, screen, &trees);
   const Slivers slivers(map);
   std::set<model::AnnotationId> seen;

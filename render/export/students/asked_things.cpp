@@ -13,6 +13,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/export/plate/shown_questions.h"
 #include "render/export/students/accepted_answers.h"
 #include "render/export/students/answer_hash.h"
@@ -40,7 +41,7 @@ std::vector<model::Question> questionsInOrder(const AskedPicture& picture) {
   std::vector<model::Question> questions = shownQuestions(picture.order, picture.trees).questions;
   LabelStyle style = picture.order.labels;
   style.mode = LabelMode::numbers;
-  const Screen screen(picture.order.camera, picture.order.page.sizeMm);
+  const Screen screen = pageScreen(picture.order);
   if (questions.size() > 1)
     putInOrderOfNumbers(questions, labelPlate(askedAlone(picture.order, questions).scene, screen,
                                               style, picture.trees));
@@ -81,7 +82,7 @@ void addSeen(std::vector<AskedThing>& things, const AskedPicture& picture, const
     for (const model::NodeId id : scene.named(name))
       wanted.push_back(id);
   const bool focus = order.of<TestOptions>().of == AskedOf::focus;
-  const SeenMap map(scene, Screen(order.camera, order.page.sizeMm), &picture.trees);
+  const SeenMap map(scene, pageScreen(order), &picture.trees);
   for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     const model::NodeId id = structure.node->id;
     if ((focus && !isAmong(scene, id, scene.focus().targets)) ||

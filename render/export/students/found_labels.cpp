@@ -55,7 +55,8 @@ class LabelFinder {
 
   /// Returns the largest structures that one sees in the order's picture, and finds their places.
   std::set<model::NodeId> look(const ExportOrder& order) {
-    const SeenMap map(order.scene, Screen(order.camera, pagePictureMm));
+    const SeenMap map(order.scene, Screen(order.camera, pagePictureMm)
+                                       .onDark(order.environment.background == Background::dark));
     std::set<model::NodeId> seen;
     for (const model::Node* node : m_structures) {
       const std::optional<SeenPlace> place = map.find(node->id);

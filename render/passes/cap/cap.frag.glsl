@@ -2,6 +2,7 @@
 // Draws a cut face in one flat colour, hatched where requested. Depth comes from the plane itself
 // and not from triangles, so that faces of several structures on one plane lie exactly equally
 // deep.
+#include "pen.glsl"
 #include "sections.glsl"
 in vec3 place;
 
@@ -18,13 +19,8 @@ out vec4 fragment;
 // Returns the coverage by strokes, which run along whole stripe numbers.
 float strokeCoverage() {
   float stripe = dot(stripes.xyz, place);
-  float perPixel = max(length(vec2(dFdx(stripe), dFdy(stripe))), 1e-6);
-  float nearest = floor(stripe + 0.5);
-  bool odd = mod(nearest, 2.0) > 0.5;
-  float width = halfWidth * (odd ? stripes.w : 1.0);
-  float distance = abs(stripe - nearest) / perPixel;
-  // Strokes never become thinner than one pixel; they lose opacity instead (METHOD §4).
-  return clamp(max(width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(1.0, 2.0 * width);
+  float perPixel = length(vec2(dFdx(stripe), dFdy(stripe)));
+  return stripeCoverage(stripe, perPixel, halfWidth, stripes.w);
 }
 
 void main() {

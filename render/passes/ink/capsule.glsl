@@ -2,6 +2,7 @@
 // Holds what the kinds of capsules share: where a pixel lies relative to its stroke, and what is in
 // sight there (sight.frag.glsl). Each kind has a program of its own, as software rasterisers look
 // up every texture of every branch.
+#include "pen.glsl"
 flat in vec4 strokeEnds;
 flat in vec4 lineDepths;  // depth at a and b, InkVertex::kind, window depth of twice the tolerance
 flat in vec4 lineStrokes;
@@ -39,7 +40,6 @@ bool inSight(int sight) {
   return (sight & 1) != 0;
 }
 
-// Returns the analytic coverage (METHOD §4), softened over `edge` pixels.
 float coverageOf(Capsule c, float edge) {
-  return clamp((c.halfWidth - c.distance) / edge + 0.5, 0.0, 1.0) * c.opacity;
+  return penCoverage(c.halfWidth, c.distance, edge) * c.opacity;
 }

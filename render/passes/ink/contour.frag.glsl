@@ -4,6 +4,7 @@
 #include "outside.glsl"
 #ifdef GRAINED
 #include "grain.glsl"
+uniform vec2 grain;  // see inkTaken
 #endif
 flat in vec4 drawnEnds;  // where the pen draws the line itself
 uniform vec2 channel;  // which of the ink's values is written
@@ -18,16 +19,15 @@ void main() {
     vec2 place = mix(drawnEnds.xy, drawnEnds.zw, c.t);
     if ((sight & 0x10000) != 0 ||
         (depthAt(c.pixel) < 1.0 && length(c.pixel - place) > surfaceStep)) {
-      // Thinner strokes keep one pixel and lose opacity instead.
       float thin = c.halfWidth * inner;
-      c.opacity *= min(1.0, thin * 2.0);
-      c.halfWidth = max(thin, 0.5);
-      c.distance = length(c.pixel - place - outwardAt(c.t) * (c.halfWidth - 0.5));
+      c.opacity *= penOpacity(thin);
+      c.halfWidth = penHalfWidth(thin);
+      c.distance = length(c.pixel - place - outwardAt(c.t) * penOutside(c.halfWidth));
     }
   }
   float coverage = coverageOf(c, 1.0);
 #ifdef GRAINED
-  coverage *= grained(c.pixel);
+  coverage *= inkTaken(c.pixel, grain);
 #endif
   if (coverage <= 0.002)
     discard;

@@ -3,6 +3,7 @@
 // hides all of it. Where the pen goes on from one capsule to the next, neither reaches farther than
 // the bend asks, so that the ends do not lie over each other.
 #include "depth.glsl"
+#include "pen.glsl"
 #include "place.glsl"
 layout(location = 0) in vec4 ends;      // the line itself: a, b
 layout(location = 1) in vec4 depths;    // depth at a and b, tolerance in mm, InkVertex::kind
@@ -32,7 +33,8 @@ void main() {
   lineOutwards = outwards;
   lineStrokes = strokes;
   // S eq. 1: the stroke lies outside the contour, not across it.
-  strokeEnds = ends + moves + outwards * max(strokes.xxyy - 0.5, 0.0);
+  vec2 outside = vec2(penOutside(strokes.x), penOutside(strokes.y));
+  strokeEnds = ends + moves + outwards * outside.xxyy;
   vec2 a = strokeEnds.xy;
   vec2 b = strokeEnds.zw;
   float reach = max(strokes.x, strokes.y) + 0.5;

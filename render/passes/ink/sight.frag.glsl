@@ -3,6 +3,7 @@
 // lie a pixel apart and serve the whole width of the stroke. Software rasterisers look depths up
 // as often as this, not again for every pixel that a stroke may cover.
 #include "depth.glsl"
+#include "sight.glsl"
 #include "surface_depth.glsl"
 uniform sampler2D strokes;  // three texels each: a and b; outwards; depths, tolerance in mm, look
 uniform sampler2D looks;    // three texels each: slot; toAtlas, reach; probe, sheet, contours or not
@@ -29,14 +30,6 @@ Look lookOf(int index) {
   return Look(Slot(ivec4(pixels), ivec2(way.xy)), way.zw, rest.x, rest.y, rest.z > 0.0);
 }
 
-// Within a step of a contour its own surface falls away from the eye or ends, while a hidden
-// contour has something nearer on both sides. Where a surface is seen along its length, its
-// triangles' outline may lie a few pixels outside the line: there, and only if the same sheet hides
-// the line, a wider step counts. Returns how far outside the k-th look is.
-float lookOutside(int k, vec2 reach) {
-  return k == 0 ? 0.0 : k == 1 ? reach.x : k == 2 ? 0.5 * (reach.x + reach.y) : reach.y;
-}
-
 // A line on the surface is in sight if one of the four texels around it is no nearer.
 vec2 lookAround(int k) {
   return (vec2(k & 1, k >> 1) - 0.5) * surfaceStep;
@@ -59,28 +52,29 @@ void main() {
   float sheet = depthLift(middle, look.sheet, projection);
   sight = 0;
   float here = 0.0;  // depth of the surface at the place itself
-  float wide = 0.0;
+  int seen = 0;      // by which look
   int k = 0;
   for (int i = 0; i <= steps;) {
     float t = float(i) / float(max(steps, 1));
     float depth = mix(depths.x, depths.y, t);
     vec2 outward = normalize(mix(outwards.xy, outwards.zw, t) + vec2(1e-6, 0.0));
-    float outside = k == probing ? wide + look.probe : lookOutside(k, look.reach);
+    float outside = k == probing ? probeOutside(seen, look.probe, look.reach)
+                                 : lookOutside(k, look.reach);
     vec2 to = look.contours ? outside * outward : lookAround(k);
     float surface = surfaceDepthAt(mix(ends.xy, ends.zw, t) + to, look.slot);
     bool done = true;
     if (k == probing) {
       if (surface < 1.0)
         sight |= 0x10000 << i;
-    } else if (depth - tolerance <= surface) {
-      sight |= 1 << i;
-      done = !look.contours;
-      wide = k > 1 ? look.reach.y : 0.0;
-      k = probing;
     } else {
       here = k == 0 ? surface : here;
-      done = k == 3 || (k == 1 && look.contours && depth - sheet > here);
-      ++k;
+      int after = afterLook(k, surface, depth, here, vec2(tolerance, look.contours ? sheet : depth));
+      if (after == lineSeen) {
+        sight |= 1 << i;
+        seen = k;
+      }
+      done = after == lookedEnough || (after == lineSeen && !look.contours);
+      k = after == lineSeen ? probing : after;
     }
     if (done) {
       k = 0;

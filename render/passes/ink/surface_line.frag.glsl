@@ -3,6 +3,7 @@
 #include "capsule.glsl"
 #ifdef GRAINED
 #include "grain.glsl"
+uniform vec2 grain;  // see inkTaken
 #endif
 
 void main() {
@@ -11,7 +12,7 @@ void main() {
     discard;
   float coverage = coverageOf(c, lineDepths.z < 0.0 ? -lineDepths.z : 1.0);
 #ifdef GRAINED
-  coverage *= grained(c.pixel);
+  coverage *= inkTaken(c.pixel, grain);
 #endif
   if (coverage <= 0.002)
     discard;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blends the layers of a pixel front to back: a sweep over the layers of its tile finds the four
 // nearest, ties by their order in the list, and further sweeps those behind (METHOD §10).
+#include "layers.glsl"
 flat in ivec2 list;
 // Offsets from the picture to the atlas of the list's first layers: each is looked up in a texture
 // as well, but software drivers take as long for that as for all else that a sweep does with it.
@@ -23,7 +24,6 @@ const int filled = 1 << 24;
 const int inked = 1 << 25;
 const int hiddenInk = 1 << 26;
 const int haloed = 1 << 27;
-const float hiddenStrength = 0.5;
 
 ivec2 placeOf(int index) {
   return ivec2(index & ((1 << rowBits) - 1), index >> rowBits);
@@ -41,14 +41,24 @@ vec3 inkOf(int look) {
   return vec3((look >> 16) & 255, (look >> 8) & 255, look & 255) / 255.0;
 }
 
+vec4 inkedWith(vec4 ink, float coverage, vec4 colour) {
+  return vec4(layered(ink.r, coverage, colour.r), layered(ink.g, coverage, colour.g),
+              layered(ink.b, coverage, colour.b), layered(ink.a, coverage, colour.a));
+}
+
+vec4 behind(vec4 sum, vec4 colour) {
+  return vec4(laidBehind(sum.r, sum.a, colour.r), laidBehind(sum.g, sum.a, colour.g),
+              laidBehind(sum.b, sum.a, colour.b), laidBehind(sum.a, sum.a, colour.a));
+}
+
 // `lines` is the share of lines that is left behind the halos of nearer layers.
 vec4 layerColour(int look, ivec2 texel, inout float lines) {
   vec4 colour = (look & filled) != 0 ? texelFetch(colours, texel, 0) : vec4(0.0);
   if ((look & inked) != 0) {
     vec2 coverage = texelFetch(inks, texel, 0).rg;
     coverage.r *= lines;
-    colour = vec4(inkOf(look) * coverage.r, coverage.r) + colour * (1.0 - coverage.r);
-    if ((look & haloed) != 0 && coverage.g > 0.75)
+    colour = inkedWith(vec4(inkOf(look), 1.0), coverage.r, colour);
+    if ((look & haloed) != 0 && coverage.g > haloAbove)
       lines = 0.0;
   }
   return colour;
@@ -62,8 +72,7 @@ vec4 withHiddenLines(vec4 colour, ivec2 pixel) {
     if ((look & hiddenInk) == 0)
       continue;
     float stored = texelFetch(inks, texelOf(offsetOf(list.x + i), pixel), 0).g;
-    float coverage = stored > 0.75 ? 0.0 : min(2.0 * stored, 1.0) * hiddenStrength;
-    colour = vec4(inkOf(look) * coverage, coverage) + colour * (1.0 - coverage);
+    colour = inkedWith(vec4(inkOf(look), 1.0), hiddenCoverage(stored), colour);
   }
   return colour;
 }
@@ -81,7 +90,7 @@ struct Nearest {
 void place(inout Nearest found, int offset, int i, ivec2 pixel, vec2 last) {
   float depth = texelFetch(depths, texelOf(offset, pixel), 0).r;
   float index = float(i);
-  if (depth < last.x || (depth == last.x && index <= last.y))
+  if (!liesBefore(last.x, last.y, depth, index))
     depth = 1.0;
   // Whatever is farther moves on by one.
   bvec4 before = lessThan(vec4(depth), found.depth);
@@ -126,17 +135,17 @@ void main() {
   for (int seen = 0; seen < list.y; seen += 4) {
     Nearest found = sweep(pixel, last);
     last = vec2(found.depth.w, found.index.w);
-    while (found.index.x >= 0.0 && sum.a <= 0.998) {
+    while (found.index.x >= 0.0 && sum.a <= hidesAll) {
       int look = texelFetch(looks, placeOf(list.x + int(found.index.x)), 0).r;
-      sum += layerColour(look, texelOf(found.offset.x, pixel), lines) * (1.0 - sum.a);
+      sum = behind(sum, layerColour(look, texelOf(found.offset.x, pixel), lines));
       found.index = vec4(found.index.yzw, -1.0);
       found.offset = found.offset.yzww;
     }
-    if (last.y < 0.0 || sum.a > 0.998)
+    if (last.y < 0.0 || sum.a > hidesAll)
       break;
   }
 #endif
-  fragment = sum + background * (1.0 - sum.a);
+  fragment = behind(sum, background);
   if (hiddenLines != 0)
     fragment = withHiddenLines(fragment, pixel);
 }

@@ -3,6 +3,7 @@
 // be written here.
 #ifndef RULE
 #define RULE
+#define CONSTANT const
 #endif
 
 // Returns the distance in millimetres from the eye's plane to a window depth in 0 … 1. `projection`

@@ -3,9 +3,10 @@
 // for what may be written here.
 #ifndef RULE
 #define RULE
+#define CONSTANT const
 #endif
 
-const float quarterTurn = 1.5707963268f;
+CONSTANT float quarterTurn = 1.5707963268f;
 
 // Shadows deepen the colour instead of greying it, as an illustrator's glaze does. Pure colours, of
 // which the strong channel hardly falls that way, would look flat and so become darker as a whole.
@@ -71,11 +72,6 @@ RULE float enteredAt(float angle, float bent, float shading, float complete) {
 // which would grey the paper, deepen as it closes.
 RULE float glazed(float shade, float least, float entered) {
   return min(mix(max(shade, least), shade, entered), 1.0f);
-}
-
-// Returns a premultiplied channel over another.
-RULE float layered(float above, float opacity, float below) {
-  return above * opacity + below * (1.0f - opacity);
 }
 
 // Returns where in the table of stages (FillStages) a Γ is found.

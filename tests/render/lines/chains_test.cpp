@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lines/chains.h"
+#include "render/lines/ground/chains.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/lines/techniques/lines.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

@@ -8,12 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "render/lines/apparent_ridges.h"
-#include "render/lines/demarcating_curves.h"
-#include "render/lines/headlight.h"
-#include "render/lines/line_technique.h"
-#include "render/lines/lines.h"
-#include "render/lines/ridges.h"
+#include "render/lines/ground/headlight.h"
+#include "render/lines/techniques/apparent_ridges.h"
+#include "render/lines/techniques/demarcating_curves.h"
+#include "render/lines/techniques/line_technique.h"
+#include "render/lines/techniques/lines.h"
+#include "render/lines/techniques/ridges.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

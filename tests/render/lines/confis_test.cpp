@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks at which streamlines ConFIS draws from a camera, and how strongly.
-#include "render/lines/confis.h"
+#include "render/lines/techniques/confis.h"
 
 #include <QtTest>
 #include <algorithm>

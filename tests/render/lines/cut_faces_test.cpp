@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lines/cut_faces.h"
+#include "render/lines/patterns/cut_faces.h"
 
 #include <QTest>
 #include <numbers>
 
 #include "model/geometry/spatial_order.h"
-#include "render/lines/clipping.h"
-#include "render/lines/visibility.h"
+#include "render/lines/hatching/clipping.h"
+#include "render/lines/techniques/lines.h"
+#include "render/lines/techniques/visibility.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/lines/view_scale.h"
+#include "render/lines/ground/view_scale.h"
 #include "tests/support/shapes.h"
 
 namespace sline::test {

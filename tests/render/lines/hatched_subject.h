@@ -6,7 +6,7 @@
 #include <span>
 
 #include "model/scene/camera.h"
-#include "render/lines/hatching.h"
+#include "render/lines/hatching/hatching.h"
 
 namespace sline::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests how much ink hatching has: strokes grow evenly with zoom, density and tone, from nothing.
-#include "render/lines/hatching.h"
+#include "render/lines/hatching/hatching.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "render/lines/view_scale.h"
+#include "render/lines/ground/view_scale.h"
 #include "tests/render/lines/hatched_subject.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

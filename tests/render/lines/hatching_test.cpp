@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the properties that hatching must have whatever it looks like: its places, that strokes
 // keep apart, that a mirror mirrors it.
-#include "render/lines/hatching.h"
+#include "render/lines/hatching/hatching.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <set>
 
-#include "render/lines/view_fields.h"
-#include "render/lines/view_scale.h"
+#include "render/lines/ground/view_fields.h"
+#include "render/lines/ground/view_scale.h"
 #include "tests/render/lines/hatched_subject.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

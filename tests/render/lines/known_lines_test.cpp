@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/support/found_lines.h"
 #include "tests/support/suite.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the closed form of streamlines in a triangle with known solutions and with Runge and
 // Kutta's steps.
-#include "render/lines/linear_flow.h"
+#include "render/lines/streamlines/linear_flow.h"
 
 #include <QtTest>
 #include <array>

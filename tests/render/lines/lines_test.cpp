@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares contours and suggestive contours with closed forms, and tests what must not change them.
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "render/lines/line_technique.h"
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/view_fields.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "tests/support/torus.h"

@@ -7,11 +7,12 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "render/lines/clipping.h"
-#include "render/lines/line_clip.h"
-#include "render/lines/rims.h"
-#include "render/lines/suggestive_contours.h"
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/line_clip.h"
+#include "render/lines/ground/view_fields.h"
+#include "render/lines/hatching/clipping.h"
+#include "render/lines/techniques/lines.h"
+#include "render/lines/techniques/rims.h"
+#include "render/lines/techniques/suggestive_contours.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

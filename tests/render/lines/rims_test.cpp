@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests where an open surface ends.
-#include "render/lines/rims.h"
+#include "render/lines/techniques/rims.h"
 
 #include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "render/lines/techniques/lines.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

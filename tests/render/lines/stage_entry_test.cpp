@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that lines enter evenly (METHOD §7): at any time as much is in as that time says, and none
 // stands still.
-#include "render/lines/stage_entry.h"
+#include "render/lines/ground/stage_entry.h"
 #include "tests/support/suite.h"
 
 #include <QtTest>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks at where streamline hatching lies, how far apart and how strong it is.
-#include "render/lines/streamline_hatching.h"
+#include "render/lines/techniques/streamline_hatching.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/lines/lines.h"
+#include "render/lines/techniques/lines.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

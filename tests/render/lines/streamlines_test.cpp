@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "render/lines/mean_curvature_features.h"
-#include "render/lines/streamline_layout.h"
-#include "render/lines/streamline_tracer.h"
+#include "render/lines/streamlines/mean_curvature_features.h"
+#include "render/lines/streamlines/streamline_layout.h"
+#include "render/lines/streamlines/streamline_tracer.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "tests/support/torus.h"

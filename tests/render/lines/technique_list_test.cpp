@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the list of techniques that styles choose and what can be set of them.
-#include "render/lines/technique_list.h"
+#include "render/lines/techniques/technique_list.h"
 
 #include <QtTest>
 #include <set>
 
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/support/suite.h"
 
 namespace sline::test {

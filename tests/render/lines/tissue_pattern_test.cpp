@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lines/tissue_pattern.h"
+#include "render/lines/patterns/tissue_pattern.h"
 
 #include <QTest>
 #include <cmath>

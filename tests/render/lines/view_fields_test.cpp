@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the fields of METHOD §3 with closed forms and with finite differences over the mesh.
-#include "render/lines/view_fields.h"
+#include "render/lines/ground/view_fields.h"
 
 #include <QtTest>
 #include <algorithm>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lines/visibility.h"
+#include "render/lines/techniques/visibility.h"
 
 #include <QtTest>
 #include <cmath>
 
 #include "model/geometry/spatial_order.h"
+#include "render/lines/techniques/lines.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <random>
 
-#include "render/lines/stages.h"
+#include "render/lines/ground/stages.h"
 #include "render/picture/shelf_packer.h"
 #include "render/picture/tile_lists.h"
 #include "render/raster/image.h"

@@ -33,6 +33,27 @@ std::string contents(const char* name) {
   return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 
+/// How far what was drawn is from what C++ has.
+struct Apart {
+  int count = 0;       ///< values that differ by more than that
+  float most = 0.0f;   ///< and by how much
+  float range = 0.0f;  ///< the largest that was drawn
+};
+Apart apartOf(const std::vector<std::uint16_t>& drawn, const Values& values, float within) {
+  Apart apart;
+  for (int i = 0; i < side * side; ++i) {
+    const glm::vec4 own = values(float(i % side) / 255.0f, float(i / side) / 255.0f);
+    for (int c = 0; c < 4; ++c) {
+      const float found = float(drawn[std::size_t(4 * i + c)]) / 65535.0f;
+      const float off = std::abs(found - std::clamp(own[c], 0.0f, 1.0f));
+      apart.most = std::max(apart.most, off);
+      apart.count += off > within ? 1 : 0;
+      apart.range = std::max(apart.range, found);
+    }
+  }
+  return apart;
+}
+
 /// What a perspective between 100 and 1000 mm has, and a parallel projection of the same.
 const glm::vec4 perspective{-1100.0f / 900.0f, -200000.0f / 900.0f, -1.0f, 0.0f};
 const glm::vec4 parallel{-2.0f / 900.0f, -1100.0f / 900.0f, 0.0f, 1.0f};
@@ -96,6 +117,52 @@ void RuleTest::shadersAgree_data() {
            return glm::vec4(rule::layered(x, y, 0.25f), rule::stagePlace(5.0f * x) / 32.0f, 0.0f,
                             1.0f);
          });
+  QTest::newRow("pens") << "vec4(penCoverage(4.0 * x, 4.0 * y, 1.0), penHalfWidth(x) / 2.0, "
+                           "penOpacity(x), penOutside(2.0 * y) / 2.0)"
+                        << Values([](float x, float y) {
+                             return glm::vec4(rule::penCoverage(4.0f * x, 4.0f * y, 1.0f),
+                                              rule::penHalfWidth(x) / 2.0f, rule::penOpacity(x),
+                                              rule::penOutside(2.0f * y) / 2.0f);
+                           });
+  QTest::newRow("stripes")
+      << "vec4(stripeCoverage(7.0 * x, 0.2, 2.0 * y, 0.5), stripeCoverage(7.0 * x, y, 0.7, 1.0), "
+         "stripeCoverage(-7.0 * x, 0.3, 1.0, y), 1.0)"
+      << Values([](float x, float y) {
+           return glm::vec4(rule::stripeCoverage(7.0f * x, 0.2f, 2.0f * y, 0.5f),
+                            rule::stripeCoverage(7.0f * x, y, 0.7f, 1.0f),
+                            rule::stripeCoverage(-7.0f * x, 0.3f, 1.0f, y), 1.0f);
+         });
+  QTest::newRow("layers") << "vec4(laidBehind(x, y, 0.5), hiddenCoverage(x), "
+                             "liesBefore(x, 1.0, y, 2.0) ? 1.0 : 0.0, "
+                             "liesBefore(x, 2.0, x, floor(2.9 * y + 0.06)) ? 1.0 : 0.0)"
+                          << Values([](float x, float y) {
+                               const auto number = [](bool is) { return is ? 1.0f : 0.0f; };
+                               return glm::vec4(rule::laidBehind(x, y, 0.5f),
+                                                rule::hiddenCoverage(x),
+                                                number(rule::liesBefore(x, 1.0f, y, 2.0f)),
+                                                number(rule::liesBefore(
+                                                    x, 2.0f, x, std::floor(2.9f * y + 0.06f))));
+                             });
+  QTest::newRow("sight") << "vec4(float(afterLook(1, x, y, 0.3, vec2(0.01, 0.2)) + 1) / 5.0, "
+                            "float(afterLook(3, x, y, 0.3, vec2(0.1, 0.2)) + 1) / 5.0, "
+                            "lookOutside(int(4.0 * x), vec2(0.2, 0.8)), "
+                            "probeOutside(int(4.0 * x), 0.1, vec2(0.2, 0.8)))"
+                         << Values([](float x, float y) {
+                              const auto look = [](int after) { return float(after + 1) / 5.0f; };
+                              const auto k = int(4.0f * x);
+                              return glm::vec4(look(rule::afterLook(1, x, y, 0.3f, {0.01f, 0.2f})),
+                                               look(rule::afterLook(3, x, y, 0.3f, {0.1f, 0.2f})),
+                                               rule::lookOutside(k, {0.2f, 0.8f}),
+                                               rule::probeOutside(k, 0.1f, {0.2f, 0.8f}));
+                            });
+  QTest::newRow("paper") << "vec4(inkTaken(vec2(255.0 * x, 255.0 * y), vec2(1.0, 3.0)), "
+                            "inkTaken(vec2(255.0 * x, 255.0 * y), vec2(0.4, 1.5)), 0.0, 1.0)"
+                         << Values([](float x, float y) {
+                              return glm::vec4(
+                                  rule::inkTaken({255.0f * x, 255.0f * y}, {1.0f, 3.0f}),
+                                  rule::inkTaken({255.0f * x, 255.0f * y}, {0.4f, 1.5f}), 0.0f,
+                                  1.0f);
+                            });
   const auto depths = [](const char* name, const glm::vec4& projection) {
     QTest::newRow(name) << QString(
                                "vec4(eyeDistance(x, p) / 1000.0, depthLift(x, 300.0 * y, p), "
@@ -122,17 +189,25 @@ void RuleTest::shadersAgree_data() {
 void RuleTest::shadersAgree() {
   QFETCH(QString, shader);
   QFETCH(Values, values);
-  const std::string shade = contents("shade.glsl");
-  const std::string depth = contents("depth.glsl");
+  const std::array<const char*, 6> rules{"depth.glsl", "grain.glsl", "layers.glsl",
+                                         "pen.glsl",   "shade.glsl", "sight.glsl"};
+  std::array<std::string, rules.size()> texts;
+  std::vector<gpu::ShaderFile> files;
+  std::string includes;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    texts[i] = contents(rules[i]);
+    QVERIFY2(!texts[i].empty(), rules[i]);
+    files.push_back({rules[i], texts[i]});
+    includes += std::string("#include \"") + rules[i] + "\"\n";
+  }
   const std::string fragment =
-      "#include \"shade.glsl\"\n#include \"depth.glsl\"\nout vec4 f;\nvoid main() {\n"
+      includes +
+      "out vec4 f;\nvoid main() {\n"
       "  float x = (gl_FragCoord.x - 0.5) / 255.0;\n  float y = (gl_FragCoord.y - 0.5) / 255.0;\n"
       "  f = " +
       shader.toStdString() + ";\n}\n";
-  const std::array<gpu::ShaderFile, 4> files{{{"grid.vert", vertexText},
-                                              {"grid.frag", fragment},
-                                              {"shade.glsl", shade},
-                                              {"depth.glsl", depth}}};
+  files.push_back({"grid.vert", vertexText});
+  files.push_back({"grid.frag", fragment});
   const auto program = gpu::Program::create(
       files, m_device->dialect(),
       {.name = "grid", .vertexFile = "grid.vert", .fragmentFile = "grid.frag", .uniforms = {}});
@@ -154,18 +229,13 @@ void RuleTest::shadersAgree() {
   std::vector<std::uint16_t> drawn(std::size_t(side) * side * 4);
   QVERIFY(m_device->read(**target, {0, 0, side, side}, drawn).ok());
 
-  float most = 0.0f;
-  float range = 0.0f;
-  for (int i = 0; i < side * side; ++i) {
-    const glm::vec4 own = values(float(i % side) / 255.0f, float(i / side) / 255.0f);
-    for (int c = 0; c < 4; ++c) {
-      const float found = float(drawn[std::size_t(4 * i + c)]) / 65535.0f;
-      most = std::max(most, std::abs(found - std::clamp(own[c], 0.0f, 1.0f)));
-      range = std::max(range, found);
-    }
-  }
-  QVERIFY(range > 0.5f);
-  QVERIFY2(most < 2e-4f, qPrintable(QString::number(double(most))));
+  // The hash of the paper's grain takes its numbers apart: where a fraction begins anew the last
+  // bit decides, of a few points.
+  const bool hashed = QLatin1String(QTest::currentDataTag()) == QLatin1String("paper");
+  const Apart apart = apartOf(drawn, values, hashed ? 0.02f : 2e-4f);
+  QVERIFY(apart.range > 0.5f);
+  QVERIFY2(apart.count <= (hashed ? 4 * side * side / 200 : 0),
+           qPrintable(QString("%1 values, by up to %2").arg(apart.count).arg(double(apart.most))));
 }
 
 /// S eq. 11: nothing enters before the threshold, all has where T_P and what follows are 1.

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "model/geometry/surface.h"
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

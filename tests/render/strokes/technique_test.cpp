@@ -2,7 +2,7 @@
 // Tests which kinds of lines a style's technique shows.
 #include <QtTest>
 
-#include "render/lines/line_technique.h"
+#include "render/lines/techniques/line_technique.h"
 #include "render/strokes/structure_lines.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "model/geometry/spatial_order.h"
-#include "render/lines/visibility.h"
+#include "render/lines/techniques/visibility.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/render/vectors/path_points.h"
 #include "tests/support/shapes.h"

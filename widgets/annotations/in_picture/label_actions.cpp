@@ -209,7 +209,8 @@ void LabelActions::labelSelected() {
     if (!hasLabel(scene, structure))
       structures.push_back(structure);
   const LabelWish wish = m_labels.wish();
-  const render::Screen screen(m_view.camera(), wish.size / wish.pixelsPerMm);
+  const render::Screen screen = render::Screen(m_view.camera(), wish.size / wish.pixelsPerMm)
+                                    .onDark(wish.style.ground == render::Background::dark);
   m_queue.add([this, scene, structures, screen, opening = m_session.document().opening](
                   const std::stop_token& stop) -> BackgroundQueue::Sequel {
     return [this, opening, found = labelsFor(scene, structures, screen, stop)] {
