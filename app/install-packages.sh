@@ -8,8 +8,8 @@ set -euo pipefail
 packages=(
   # compiler and build
   build-essential cmake ninja-build pkg-config
-  # the program of the students' page
-  emscripten
+  # the program of the students' page, and the bundler of its script
+  emscripten esbuild
   # Qt and OpenGL, with a display and without one; the letters of labels
   qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libqt6opengl6-dev libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The drawing of the students' page: hands what the page asks for to the program (exports.cpp), and
-// draws the labels that it lays out. A script, not a module: createEngineModule, which Emscripten
-// makes, stands before it, the page's own scripts behind it (resources/page/engine.d.ts).
+// draws the labels that it lays out (resources/page/engine.d.ts).
+
+/** @import { CameraState, Direction, Engine, EngineOptions, LabelMode, Placed } from "../../resources/page/engine.d.ts" */
 
 /**
  * @typedef {object} EngineModule what Emscripten makes of the program
@@ -25,15 +26,8 @@ const svgSpace = "http://www.w3.org/2000/svg";
 /** Lengths of labels, in CSS pixels. */
 const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, edge: 10 };
 
-class Engine {
-  /** @param {EngineOptions} options @returns {Promise<Engine>} */
-  static async start(options) {
-    const create = /** @type {(settings: object) => Promise<any>} */ (
-      /** @type {any} */ (globalThis).createEngineModule ?? createEngineModule);
-    const module = await create({ wasmBinary: options.program });
-    return new Engine(module, options);
-  }
-
+/** @implements {Engine} */
+class WebEngine {
   /** @param {any} module @param {EngineOptions} options */
   constructor(module, options) {
     this.module = module;
@@ -497,4 +491,13 @@ class Engine {
     this.overlay.replaceChildren();
     this.module._slineOpen();
   }
+}
+
+/**
+ * @param {(settings: {wasmBinary: Uint8Array}) => Promise<any>} createModule what Emscripten makes
+ * @param {EngineOptions} options
+ * @returns {Promise<Engine>}
+ */
+export async function startEngine(createModule, options) {
+  return new WebEngine(await createModule({ wasmBinary: options.program }), options);
 }

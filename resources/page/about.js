@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page can do by keys and fingers, and whose work its scene is.
 
-class About {
+import { iconButton, make } from "./elements.js";
+
+/** @import { Lesson } from "./lesson.js" */
+
+export class About {
   /** @param {Lesson} lesson */
   constructor(lesson) {
     this.lesson = lesson;

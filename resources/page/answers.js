@@ -2,6 +2,8 @@
 // Compares a typed name with hashes of the right ones, and lets slips of spelling pass. The hash is
 // written out here as browsers offer theirs to pages from a secure server only.
 
+import { normalised } from "./words.js";
+
 /** The first 32 bits of the fractions of roots of primes: square roots, then cube roots. */
 const [hashStart, hashRounds] = (() => {
   const start = [];
@@ -54,7 +56,7 @@ function hashBlock(hash, words, block, w) {
  * The first 16 hexadecimal digits of SHA-256 (FIPS 180-4) of a text in UTF-8.
  * @param {string} text
  */
-function shortHash(text) {
+export function shortHash(text) {
   const words = paddedWords(text);
   const hash = Int32Array.from(hashStart);
   const w = new Int32Array(64);
@@ -63,7 +65,7 @@ function shortHash(text) {
 }
 
 /** @param {string} salt @param {string} name */
-function answerHash(salt, name) {
+export function answerHash(salt, name) {
   return shortHash(salt + normalised(name));
 }
 
@@ -122,7 +124,7 @@ function ordersOf(words) {
  * @param {{answers: string[], others: string[], salt: string}} key hashes, and their salt
  * @returns {"right" | "nearly" | "wrong"}
  */
-function judged(typed, { answers, others, salt }) {
+export function judged(typed, { answers, others, salt }) {
   const words = typed.split(/[\s,;()\/]+/u).map(normalised).filter((word) => word);
   if (words.length === 0) return "wrong";
   const right = new Set(answers);

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The card of what is chosen: name, note and how much of it is drawn.
 
+import { icon, iconButton, inTwoLines, make } from "./elements.js";
+import { linesElement } from "./lines.js";
+
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Links } from "./links.js" */
+/** @import { Stage } from "./stage.js" */
+
 /**
  * A slider for Γ, from 0 (silhouette) to 5 (surface).
  * @param {Lesson} lesson
@@ -8,7 +15,7 @@
  * @param {(gamma: number, moving: boolean) => void} act
  * @param {{[name: string]: string}} [traits]
  */
-function gammaSlider(lesson, label, act, traits = {}) {
+export function gammaSlider(lesson, label, act, traits = {}) {
   const slider = make("input", { type: "range", min: 0, max: 5, step: 0.05, class: "gamma",
                                  "aria-label": label, ...traits });
   slider.addEventListener("input", () => {
@@ -20,7 +27,7 @@ function gammaSlider(lesson, label, act, traits = {}) {
 }
 
 /** @param {Lesson} lesson @param {HTMLInputElement} slider @param {number} gamma */
-function showGamma(lesson, slider, gamma) {
+export function showGamma(lesson, slider, gamma) {
   slider.value = String(gamma);
   slider.style.setProperty("--share", `${(gamma / 5) * 100}%`);
   const words = `${gamma.toFixed(1)}, ${lesson.say("stage" + Math.round(gamma))}`;
@@ -28,7 +35,7 @@ function showGamma(lesson, slider, gamma) {
   slider.title = words;
 }
 
-class Card {
+export class Card {
   /** @param {Lesson} lesson @param {Stage} stage @param {Links} links */
   constructor(lesson, stage, links) {
     this.lesson = lesson;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Something is marked; its name is chosen.
 
-class ChoiceQuestion extends Question {
+import { make } from "./elements.js";
+import { Question } from "./question.js";
+
+export class ChoiceQuestion extends Question {
   prompt() {
     return this.lesson.say("askChoose");
   }

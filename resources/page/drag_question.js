@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names are brought to what they name: dragged there, or chosen and then pointed or numbered.
 
+import { icon, make, unseen } from "./elements.js";
+import { clickReach } from "./gestures.js";
+import { Question, shuffled } from "./question.js";
+
+/** @import { QuestionFacts } from "./facts.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Outcome } from "./question.js" */
+/** @import { Stage } from "./stage.js" */
+
 /** @typedef {{place: number, at: number}} DraggedName `at` is the structure it was put on, 0 for none */
 
-class DragQuestion extends Question {
+export class DragQuestion extends Question {
   /**
    * @param {Lesson} lesson
    * @param {Stage} stage

@@ -10,7 +10,7 @@
  * @param {...(Node | string | null | undefined)} inside
  * @returns {HTMLElementTagNameMap[Tag]}
  */
-function make(tag, traits = {}, ...inside) {
+export function make(tag, traits = {}, ...inside) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(traits)) {
     if (typeof value === "function") element.addEventListener(name, value);
@@ -50,7 +50,7 @@ const iconPaths = {
  * A drawing beside or in place of words; readers of the page aloud pass over it.
  * @param {keyof typeof iconPaths} name
  */
-function icon(name) {
+export function icon(name) {
   const space = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(space, "svg");
   const path = document.createElementNS(space, "path");
@@ -69,7 +69,7 @@ function icon(name) {
  * @param {(event: MouseEvent) => void} act
  * @param {{[name: string]: string | boolean}} [traits]
  */
-function iconButton(name, words, act, traits = {}) {
+export function iconButton(name, words, act, traits = {}) {
   return make("button", { type: "button", class: "icon-button", title: words, "aria-label": words,
                           click: act, ...traits }, icon(name));
 }
@@ -80,7 +80,7 @@ function iconButton(name, words, act, traits = {}) {
  * @template {HTMLElement} Titled
  * @param {Titled} element
  */
-function inTwoLines(element) {
+export function inTwoLines(element) {
   element.classList.add("two-lines");
   element.addEventListener("pointerenter", () => {
     const cut = element.scrollHeight > element.clientHeight || element.scrollWidth > element.clientWidth;
@@ -94,6 +94,6 @@ function inTwoLines(element) {
  * Words that are in the page for who listens to it.
  * @param {string} words
  */
-function unseen(words) {
+export function unseen(words) {
   return make("span", { class: "unseen" }, words);
 }

@@ -2,7 +2,7 @@
 // The drawing, as the page sees it: render/web/engine.js is one, tests/page/fake_engine.js another.
 // Lengths are CSS pixels from the picture's upper left corner. The engine knows no texts.
 
-interface EngineOptions {
+export interface EngineOptions {
   /** The WebAssembly program. */
   program: Uint8Array;
   canvas: HTMLCanvasElement;
@@ -15,19 +15,19 @@ interface EngineOptions {
 }
 
 /** Opaque; may go through JSON. */
-interface CameraState {
+export interface CameraState {
   [field: string]: number;
 }
 
 /** Where a label stands: its box is left, top, width and height. */
-interface Placed {
+export interface Placed {
   id: number;
   box: [number, number, number, number];
   hidden: boolean;
   number: number;
 }
 
-interface LabelMode {
+export interface LabelMode {
   show: boolean;
   /** Absent: those that the view shows. */
   only?: number[];
@@ -40,11 +40,12 @@ interface LabelMode {
   texts: { [id: number]: string[] };
 }
 
-type Direction = "anterior" | "posterior" | "left" | "right" | "superior" | "inferior";
+export type Direction = "anterior" | "posterior" | "left" | "right" | "superior" | "inferior";
 
-declare class Engine {
-  /** Rejects with an Error where there is neither WebGL 2 nor Canvas 2D. */
-  static start(options: EngineOptions): Promise<Engine>;
+/** Rejects with an Error where there is neither WebGL 2 nor Canvas 2D. */
+export type StartEngine = (options: EngineOptions) => Promise<Engine>;
+
+export interface Engine {
   readonly means: "webgl" | "canvas";
   /** The one that has the picture: that of the options, or another in its place. */
   readonly canvas: HTMLCanvasElement;

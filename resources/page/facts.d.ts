@@ -3,10 +3,10 @@
 // it as JSON into the page's element `facts`.
 
 /** Plain text by language tag: "la", "en", "de", "nl", "nb". */
-type Words = { [language: string]: string };
+export type Words = { [language: string]: string };
 
 /** A stretch of text of one look; it may be a link that lights a structure up or goes to a view. */
-interface Run {
+export interface Run {
   text: string;
   bold?: true;
   italic?: true;
@@ -16,10 +16,10 @@ interface Run {
   view?: number;
 }
 
-type Lines = Run[][];
+export type Lines = Run[][];
 
 /** A group or a structure. */
-interface NodeFacts {
+export interface NodeFacts {
   id: number;
   /** Id of the group it lies in; 0 at the top. */
   parent: number;
@@ -34,7 +34,7 @@ interface NodeFacts {
 }
 
 /** A saved view. The first has the number 1, as in the deep link #view=1. */
-interface ViewFacts {
+export interface ViewFacts {
   title: Words;
   words: { [language: string]: Lines };
   alt: Words;
@@ -42,14 +42,14 @@ interface ViewFacts {
   seconds: number;
 }
 
-interface LabelFacts {
+export interface LabelFacts {
   id: number;
   structures: number[];
   kind: "label" | "callout" | "pin" | "distance";
   words: { [language: string]: Lines };
 }
 
-interface QuestionFacts {
+export interface QuestionFacts {
   id: string;
   kind: "find" | "name" | "choose" | "order" | "drag";
   /** What is asked for; absent where no name may be in the page. */
@@ -65,7 +65,7 @@ interface QuestionFacts {
   view?: number;
 }
 
-interface QuizFacts {
+export interface QuizFacts {
   mode: "beside" | "only" | "off";
   /** Whether the first answer counts; else the quiz is practice and may be taken again. */
   counts: boolean;
@@ -75,7 +75,7 @@ interface QuizFacts {
   questions: QuestionFacts[];
 }
 
-interface Facts {
+export interface Facts {
   schema: 1;
   title: string;
   /** The language that texts fall back on. */

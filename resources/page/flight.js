@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Goes to a saved view: a flight, or at once where the reader wants no motion.
 
+/** @import { Engine } from "./engine.d.ts" */
+/** @import { Stage } from "./stage.js" */
+
 /** @returns {boolean} */
 function stillnessWanted() {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
-class Flight {
+export class Flight {
   /** @param {Stage} stage */
   constructor(stage) {
     this.stage = stage;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, fingers and keys on the picture.
 
+import { directions } from "./stage.js";
+
+/** @import { Stage } from "./stage.js" */
+
 /** Pixels within which a press is a click. */
-const clickReach = 6;
+export const clickReach = 6;
 /** Milliseconds, and pixels, between the two clicks of a double one. */
 const twiceWithin = 350;
 const twiceReach = 30;
 
-class Gestures {
+export class Gestures {
   /**
    * @param {Stage} stage
    * @param {{clicked: (structure: number) => void, twice: (structure: number) => void}} acts

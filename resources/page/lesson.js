@@ -3,9 +3,16 @@
 // to it by the events `language`, `chosen`, `view`, `look`, `labels`, `quiz` (a question begins or
 // ends), `drawn`, `grab` (the reader moves the scene) and `lost` (the picture's memory is gone).
 
+import { make } from "./elements.js";
+import { textIn, tongues } from "./texts.js";
+import { firstOf, plainLines, wordsIn } from "./words.js";
+
+/** @import { Placed } from "./engine.d.ts" */
+/** @import { Facts, NodeFacts, Words } from "./facts.d.ts" */
+
 /** @typedef {"names" | "numbers" | "none"} LabelChoice */
 
-class Lesson extends EventTarget {
+export class Lesson extends EventTarget {
   /** @param {Facts} facts */
   constructor(facts) {
     super();

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts of views, notes and callouts as elements; names in them may be links.
 
+import { make } from "./elements.js";
+
+/** @import { Lines, Run } from "./facts.d.ts" */
+/** @import { Links } from "./links.js" */
+
 /**
  * @param {Run} run
  * @param {Links} links
@@ -25,7 +30,7 @@ function runElement(run, links) {
  * @param {string} language
  * @param {Links} links
  */
-function linesElement(lines, language, links) {
+export function linesElement(lines, language, links) {
   const out = make("div", { class: "lines", lang: language, dir: "auto" });
   /** @type {HTMLUListElement | undefined} */
   let list;

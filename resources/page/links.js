@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Links into the page: #view=3, #structure=left-ureter, #structure=12, #language=de, joined by &.
 
-class Links {
+import { linkName, normalised, wordsIn } from "./words.js";
+
+/** @import { Lesson } from "./lesson.js" */
+
+export class Links {
   /** @param {Lesson} lesson @param {(view: number, atOnce: boolean) => void} goTo */
   constructor(lesson, goTo) {
     this.lesson = lesson;

@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts the page together and starts it.
+// Puts the page together and starts it. The entry (start.js) says with which engine and reporters.
+
+import { About } from "./about.js";
+import { Card } from "./card.js";
+import { iconButton, inTwoLines, make } from "./elements.js";
+import { Flight } from "./flight.js";
+import { Gestures } from "./gestures.js";
+import { Lesson } from "./lesson.js";
+import { Links } from "./links.js";
+import { Panels } from "./panels.js";
+import { PrintedPage } from "./print.js";
+import { Quiz } from "./quiz.js";
+import { Stage } from "./stage.js";
+import { textIn, tongues } from "./texts.js";
+import { Toolbar } from "./toolbar.js";
+import { Tour } from "./tour.js";
+import { StructureTree, directed } from "./tree.js";
+import { PageError, readFacts, unpacked } from "./unpacking.js";
+import { directionOf, firstOf, languageName } from "./words.js";
+
+/** @import { Engine, StartEngine } from "./engine.d.ts" */
+/** @import { Facts } from "./facts.d.ts" */
+/** @import { PanelName } from "./panels.js" */
+/** @import { CreateReporter } from "./reporter.d.ts" */
+
+/** @typedef {{startEngine: StartEngine, createReporter: CreateReporter}} PageParts what a page is given from outside */
 
 class Page {
-  /** @param {Facts} facts */
-  constructor(facts) {
+  /** @param {Facts} facts @param {PageParts} parts */
+  constructor(facts, { startEngine, createReporter }) {
+    this.startEngine = startEngine;
     const lesson = new Lesson(facts);
     this.lesson = lesson;
     this.stage = new Stage(lesson);
@@ -12,7 +38,7 @@ class Page {
     this.about = new About(lesson);
     this.tree = new StructureTree(lesson, this.stage);
     this.tour = new Tour(lesson, this.flight, this.links);
-    this.quiz = new Quiz(lesson, this.stage, this.flight);
+    this.quiz = new Quiz(lesson, this.stage, this.flight, createReporter);
     this.panels = new Panels(lesson, this.panelList());
     this.card = new Card(lesson, this.stage, this.links);
     this.toolbar = new Toolbar(lesson, this.stage);
@@ -153,7 +179,7 @@ class Page {
     await new Promise((shown) => requestAnimationFrame(() => window.setTimeout(shown)));
     const [program, scene] = await Promise.all([unpacked("program"), unpacked("scene")]);
     if (!program || !scene) throw new PageError("spoiled");
-    const engine = await Engine.start({ program, canvas: stage.canvas, overlay: stage.overlay });
+    const engine = await this.startEngine({ program, canvas: stage.canvas, overlay: stage.overlay });
     engine.load(scene);
     stage.begin(engine);
     stage.element.querySelector(".first-picture")?.remove();
@@ -215,12 +241,12 @@ function showStills(what, why) {
     make("p", { class: "notice", role: "alert" }, what, make("span", { class: "reason" }, ` ${why}`)));
 }
 
-/** Starts the page; what it cannot do it says. */
-async function startPage() {
+/** Starts the page; what it cannot do it says. @param {PageParts} parts */
+export async function startPage(parts) {
   /** @type {Page | undefined} */
   let page;
   try {
-    page = new Page(readFacts());
+    page = new Page(readFacts(), parts);
     page.build();
     await page.open();
   } catch (error) {
@@ -232,5 +258,3 @@ async function startPage() {
     }
   }
 }
-
-startPage();

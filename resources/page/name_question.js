@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Something is marked; its name is typed.
 
-class NameQuestion extends Question {
+import { judged } from "./answers.js";
+import { make } from "./elements.js";
+import { Question } from "./question.js";
+
+/** @import { QuestionFacts } from "./facts.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Outcome } from "./question.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class NameQuestion extends Question {
   /**
    * @param {Lesson} lesson
    * @param {Stage} stage

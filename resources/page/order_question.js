@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Structures are put in order along a path: names from a list, or structures in the picture.
 
-class OrderQuestion extends Question {
+import { iconButton, make } from "./elements.js";
+import { Question, shuffled } from "./question.js";
+
+/** @import { QuestionFacts } from "./facts.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Outcome } from "./question.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class OrderQuestion extends Question {
   /**
    * @param {Lesson} lesson
    * @param {Stage} stage

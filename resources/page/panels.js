@@ -2,9 +2,13 @@
 // Which panels are open: where there is room the structures stand beside tour or quiz, on a telephone
 // one panel is open at a time.
 
+import { icon, make } from "./elements.js";
+
+/** @import { Lesson } from "./lesson.js" */
+
 /** @typedef {"structures" | "tour" | "quiz"} PanelName */
 
-class Panels {
+export class Panels {
   /**
    * @param {Lesson} lesson
    * @param {{name: PanelName, inside: HTMLElement, icon: "list" | "book" | "quiz"}[]} panels

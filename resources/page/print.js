@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is printed: the picture as it is, its title and text, the key, and whose work it is.
 
-class PrintedPage {
+import { make } from "./elements.js";
+import { linesElement } from "./lines.js";
+
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Links } from "./links.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class PrintedPage {
   /** @param {Lesson} lesson @param {Stage} stage @param {Links} links */
   constructor(lesson, stage, links) {
     this.lesson = lesson;

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // What questions of all kinds have in common, and the kind that asks where something is.
 
+import { make } from "./elements.js";
+
+/** @import { LabelMode } from "./engine.d.ts" */
+/** @import { QuestionFacts } from "./facts.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Stage } from "./stage.js" */
+
 /**
  * How a question was answered: `response` is told to the learning system, `said` to the reader.
  * @typedef {{correct: boolean, response: string, said?: string}} Outcome
  */
 
 /** Returns the list in another order, by chance. @template T @param {readonly T[]} list @returns {T[]} */
-function shuffled(list) {
+export function shuffled(list) {
   const out = [...list];
   for (let i = out.length - 1; i > 0; --i) {
     const j = Math.floor(Math.random() * (i + 1));
@@ -16,7 +23,7 @@ function shuffled(list) {
   return out;
 }
 
-class Question {
+export class Question {
   /**
    * @param {Lesson} lesson
    * @param {Stage} stage

@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Asks the questions one after the other, says what was right, and tells it to the learning system.
 
+import { gammaSlider, showGamma } from "./card.js";
+import { ChoiceQuestion } from "./choice_question.js";
+import { DragQuestion } from "./drag_question.js";
+import { icon, make, unseen } from "./elements.js";
+import { NameQuestion } from "./name_question.js";
+import { OrderQuestion } from "./order_question.js";
+import { Question, shuffled } from "./question.js";
+
+/** @import { QuestionFacts } from "./facts.d.ts" */
+/** @import { Flight } from "./flight.js" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Outcome } from "./question.js" */
+/** @import { CreateReporter } from "./reporter.d.ts" */
+/** @import { Stage } from "./stage.js" */
+
 const questionKinds = { find: Question, name: NameQuestion, choose: ChoiceQuestion,
                         order: OrderQuestion, drag: DragQuestion };
 
-class Quiz {
-  /** @param {Lesson} lesson @param {Stage} stage @param {Flight} flight */
-  constructor(lesson, stage, flight) {
+export class Quiz {
+  /** @param {Lesson} lesson @param {Stage} stage @param {Flight} flight @param {CreateReporter} createReporter */
+  constructor(lesson, stage, flight, createReporter) {
     this.lesson = lesson;
     this.stage = stage;
     this.flight = flight;

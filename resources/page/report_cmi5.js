@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells answers to a learning record store by cmi5, as xAPI statements.
 
+import { DeliveryQueue } from "./report_queue.js";
+import { decimal, isoTime, shareOf } from "./report_texts.js";
+
+/** @import { Answer } from "./reporter.d.ts" */
+
 /** @typedef {{[name: string]: any}} Statement */
 /** @typedef {{answered: {[question: string]: boolean}, ended: boolean}} Cmi5State */
 /** What is sent: a statement, or how things stand. @typedef {{statement?: Statement, state?: Cmi5State}} Cmi5Job */
@@ -30,7 +35,7 @@ function randomUuid() {
   return digits.replace(/^(.{8})(.{4})(.{4})(.{4})(.{12})$/, "$1-$2-$3-$4-$5");
 }
 
-class Cmi5Reporter {
+export class Cmi5Reporter {
   constructor() {
     const launch = new URLSearchParams(window.location.search);
     const endpoint = launch.get("endpoint") ?? "";

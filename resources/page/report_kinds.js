@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses to whom answers are told.
 
+import { Cmi5Reporter } from "./report_cmi5.js";
+import { Scorm12Reporter } from "./report_scorm12.js";
+import { Scorm2004Reporter } from "./report_scorm2004.js";
+
+/** @import { CreateReporter, Reporter } from "./reporter.d.ts" */
+
 /** Tells nobody. @implements {Reporter} */
 class SilentReporter {
   async begin() {
@@ -11,11 +17,8 @@ class SilentReporter {
   suspend() {}
 }
 
-/**
- * @param {"scorm12" | "scorm2004" | "cmi5" | undefined} kind
- * @returns {Reporter}
- */
-function createReporter(kind) {
+/** @type {CreateReporter} */
+export function createReporter(kind) {
   if (!kind) return new SilentReporter();
   // A page that comes back from the browser's memory has told its system that it was left.
   window.addEventListener("pageshow", (event) => {

@@ -8,7 +8,7 @@ const longestWait = 60_000;
 /**
  * @template Job
  */
-class DeliveryQueue {
+export class DeliveryQueue {
   /**
    * @param {(jobs: readonly Job[]) => number | Promise<number>} deliver tells how many of the first
    * jobs have arrived; throws or rejects where it cannot tell

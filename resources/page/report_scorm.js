@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells answers to a learning system by SCORM: what its versions have in common.
 
+import { DeliveryQueue } from "./report_queue.js";
+import { answeredIn } from "./report_texts.js";
+
+/** @import { Answer } from "./reporter.d.ts" */
+
 /** @typedef {{[name: string]: unknown}} ScormApi */
 
 /** How far up the frames an API is looked for. */
@@ -44,7 +49,7 @@ function findApi(name) {
  */
 
 /** One version says which elements there are, and what is written into them. */
-class ScormReporter {
+export class ScormReporter {
   /** @param {string} apiName @param {string} prefix of the API's functions */
   constructor(apiName, prefix) {
     this.api = findApi(apiName);

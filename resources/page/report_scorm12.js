@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells answers by SCORM 1.2.
 
+import { ScormReporter } from "./report_scorm.js";
+import { clockTime, decimal, identifier, shareOf, shortened, suspendedText } from "./report_texts.js";
+
+/** @import { Answer } from "./reporter.d.ts" */
+
 /** @type {{[kind: string]: string}} */
 const scorm12Types = { name: "fill-in", choose: "fill-in" };
 
-class Scorm12Reporter extends ScormReporter {
+export class Scorm12Reporter extends ScormReporter {
   constructor() {
     super("API", "LMS");
   }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells answers by SCORM 2004.
 
+import { ScormReporter } from "./report_scorm.js";
+import { decimal, identifier, isoTime, shareOf, shortened, suspendedText } from "./report_texts.js";
+
+/** @import { Answer } from "./reporter.d.ts" */
+
 /** @type {{[kind: string]: string}} */
 const scorm2004Types = { name: "fill-in", choose: "fill-in" };
 
-class Scorm2004Reporter extends ScormReporter {
+export class Scorm2004Reporter extends ScormReporter {
   constructor() {
     super("API_1484_11", "");
   }

@@ -7,7 +7,7 @@
  * @param {ReadonlyMap<string, boolean>} answered
  * @param {number} most characters; the last answers are left out where there are more
  */
-function suspendedText(answered, most) {
+export function suspendedText(answered, most) {
   let text = "sline1";
   for (const [id, right] of answered) {
     const more = (right ? "+" : "-") + encodeURIComponent(id).replace(/-/g, "%2D");
@@ -21,7 +21,7 @@ function suspendedText(answered, most) {
  * @param {string} text
  * @returns {Map<string, boolean>} none where the text is another program's
  */
-function answeredIn(text) {
+export function answeredIn(text) {
   /** @type {Map<string, boolean>} */
   const answered = new Map();
   const parts = /^sline1((?:[+-][^+-]+)*)$/.exec(text)?.[1].match(/[+-][^+-]+/g) ?? [];
@@ -34,7 +34,7 @@ function answeredIn(text) {
 }
 
 /** @param {string} text @param {number} most characters; none is cut in two */
-function shortened(text, most) {
+export function shortened(text, most) {
   const line = text.replace(/[\p{Cc}\p{Cs}\s]+/gu, " ").trim();
   let short = "";
   for (const character of line) {
@@ -45,12 +45,12 @@ function shortened(text, most) {
 }
 
 /** A name that every system takes for an identifier. @param {string} id */
-function identifier(id) {
+export function identifier(id) {
   return shortened(id.replace(/[^A-Za-z0-9_]/g, "_"), 250) || "_";
 }
 
 /** @param {number} seconds @returns {string} "0001:02:03.50" */
-function clockTime(seconds) {
+export function clockTime(seconds) {
   const whole = Math.min(Math.max(0, seconds), 9999 * 3600);
   const hours = Math.floor(whole / 3600);
   const minutes = Math.floor(whole / 60) % 60;
@@ -59,16 +59,16 @@ function clockTime(seconds) {
 }
 
 /** @param {number} seconds @returns {string} "PT63.5S" */
-function isoTime(seconds) {
+export function isoTime(seconds) {
   return `PT${Math.max(0, Math.round(100 * seconds) / 100)}S`;
 }
 
 /** The share of right answers, 0 … 1. @param {number} right @param {number} total */
-function shareOf(right, total) {
+export function shareOf(right, total) {
   return total > 0 ? Math.min(1, Math.max(0, right / total)) : 0;
 }
 
 /** @param {number} share @returns {string} with as many digits as systems read */
-function decimal(share) {
+export function decimal(share) {
   return String(Math.round(10_000 * share) / 10_000);
 }

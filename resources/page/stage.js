@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture: canvas and labels over it, drawn when something has changed, and what is done to it.
 
+import { make } from "./elements.js";
+
+/** @import { Direction, Engine, LabelMode } from "./engine.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+
 /** The names of the anatomical views, with their keys. @type {[Direction, string][]} */
-const directions = [["anterior", "A"], ["posterior", "P"], ["left", "L"], ["right", "R"],
+export const directions = [["anterior", "A"], ["posterior", "P"], ["left", "L"], ["right", "R"],
                     ["superior", "S"], ["inferior", "I"]];
 
 /** Milliseconds without a move after which everything is drawn. */
 const restAfter = 140;
 
-class Stage {
+export class Stage {
   /** @param {Lesson} lesson */
   constructor(lesson) {
     this.lesson = lesson;

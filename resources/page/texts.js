@@ -2,10 +2,10 @@
 // The page's own texts. A row: what it is for, English, German, Dutch, Norwegian. {0}, {1} stand for
 // what is put in.
 
-const tongues = ["en", "de", "nl", "nb"];
+export const tongues = ["en", "de", "nl", "nb"];
 
 /** @type {{[key: string]: [string, string, string, string]}} */
-const textTable = {
+export const textTable = {
   structures: ["Structures", "Strukturen", "Structuren", "Strukturer"],
   tour: ["Tour", "Rundgang", "Rondleiding", "Omvisning"],
   quiz: ["Quiz", "Quiz", "Quiz", "Quiz"],
@@ -182,7 +182,7 @@ const textTable = {
  * @param {string} key
  * @param {(string | number)[]} parts
  */
-function textIn(tongue, key, parts) {
+export function textIn(tongue, key, parts) {
   const row = textTable[key];
   const words = row[Math.max(0, tongues.indexOf(tongue))];
   return words.replace(/\{(\d)\}/g, (_, place) => String(parts[Number(place)] ?? ""));

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The row under the picture: sides, zoom, the view's title, labels.
 
-class Toolbar {
+import { iconButton, inTwoLines, make } from "./elements.js";
+import { directions } from "./stage.js";
+
+/** @import { Direction } from "./engine.d.ts" */
+/** @import { LabelChoice, Lesson } from "./lesson.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class Toolbar {
   /** @param {Lesson} lesson @param {Stage} stage */
   constructor(lesson, stage) {
     this.lesson = lesson;

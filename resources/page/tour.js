@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tour: one view after the other with its text.
 
-class Tour {
+import { icon, iconButton, make } from "./elements.js";
+import { linesElement } from "./lines.js";
+
+/** @import { ViewFacts } from "./facts.d.ts" */
+/** @import { Flight } from "./flight.js" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Links } from "./links.js" */
+
+export class Tour {
   /** @param {Lesson} lesson @param {Flight} flight @param {Links} links */
   constructor(lesson, flight, links) {
     this.lesson = lesson;

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tree of structures with its filter: ARIA's tree, worked by mouse, finger and keys.
 
-class StructureTree {
+import { make } from "./elements.js";
+import { TreeRow } from "./tree_rows.js";
+import { normalised } from "./words.js";
+
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class StructureTree {
   /** @param {Lesson} lesson @param {Stage} stage */
   constructor(lesson, stage) {
     this.lesson = lesson;
@@ -215,7 +222,7 @@ class StructureTree {
 }
 
 /** An arrow as it means in a page written from left to right. @param {string} key */
-function directed(key) {
+export function directed(key) {
   if (document.documentElement.dir !== "rtl") return key;
   return { ArrowLeft: "ArrowRight", ArrowRight: "ArrowLeft" }[key] ?? key;
 }

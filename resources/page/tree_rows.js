@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // One row of the tree: a structure or a group with eye, name and Γ.
 
-class TreeRow {
+import { gammaSlider, showGamma } from "./card.js";
+import { icon, make, unseen } from "./elements.js";
+
+/** @import { NodeFacts } from "./facts.d.ts" */
+/** @import { Lesson } from "./lesson.js" */
+/** @import { Stage } from "./stage.js" */
+
+export class TreeRow {
   /**
    * @param {Lesson} lesson
    * @param {Stage} stage

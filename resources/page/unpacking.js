@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unpacks what the page carries: the program and the scene.
 
+import { textIn } from "./texts.js";
+
+/** @import { Facts } from "./facts.d.ts" */
+
 /** What went wrong, as a row of the table of texts. */
-class PageError extends Error {
+export class PageError extends Error {
   /** @param {string} key @param {...string} parts */
   constructor(key, ...parts) {
     super(textIn("en", key, parts));
@@ -51,7 +55,7 @@ async function fileBeside(name) {
  * @param {string} id of the element that holds it
  * @returns {Promise<Uint8Array | undefined>} undefined where the page has none
  */
-async function unpacked(id) {
+export async function unpacked(id) {
   const holder = document.getElementById(id);
   if (!holder) return undefined;
   const file = holder.getAttribute("data-src");
@@ -62,7 +66,7 @@ async function unpacked(id) {
 }
 
 /** @returns {Facts} */
-function readFacts() {
+export function readFacts() {
   const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "null");
   if (facts?.schema !== 1 || !Array.isArray(facts.nodes)) throw new PageError("spoiled");
   return facts;

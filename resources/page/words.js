@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses languages, and among words those of a language.
 
+/** @import { Lines } from "./facts.d.ts" */
+
 const rightToLeft = new Set(["ar", "dv", "fa", "he", "ku", "ps", "sd", "ug", "ur", "yi"]);
 
 /** @param {string} language */
-function directionOf(language) {
+export function directionOf(language) {
   return rightToLeft.has(language.split("-")[0]) ? "rtl" : "ltr";
 }
 
@@ -22,7 +24,7 @@ function knownTag(tag) {
  * @param {readonly string[]} there
  * @returns {string | undefined}
  */
-function firstOf(wanted, there) {
+export function firstOf(wanted, there) {
   return wanted.map(knownTag).find((tag) => there.includes(tag));
 }
 
@@ -33,7 +35,7 @@ function firstOf(wanted, there) {
  * @param {readonly string[]} languages in order of preference
  * @returns {{language: string, words: T} | undefined}
  */
-function wordsIn(words, languages) {
+export function wordsIn(words, languages) {
   if (!words) return undefined;
   for (const language of [...languages, ...Object.keys(words)])
     if (Object.prototype.hasOwnProperty.call(words, language) && words[language])
@@ -42,7 +44,7 @@ function wordsIn(words, languages) {
 }
 
 /** @param {Lines} lines */
-function plainLines(lines) {
+export function plainLines(lines) {
   return lines.map((runs) => runs.map((run) => run.text).join(""));
 }
 
@@ -51,7 +53,7 @@ function plainLines(lines) {
  * names in this form (normalisedAnswer), so both change together.
  * @param {string} name
  */
-function normalised(name) {
+export function normalised(name) {
   return name.normalize("NFKD").toLowerCase().replace(/[^\p{L}\p{Nd}]/gu, "").replace(/ς/g, "σ");
 }
 
@@ -59,13 +61,13 @@ function normalised(name) {
  * The name as it stands in a link: "left-ureter".
  * @param {string} name
  */
-function linkName(name) {
+export function linkName(name) {
   return name.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-")
     .replace(/^-|-$/g, "");
 }
 
 /** A language's name in itself. @param {string} tag */
-function languageName(tag) {
+export function languageName(tag) {
   if (tag === "la") return "Latina";
   if (tag === "nb") return "Norsk";
   try {

@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { assembled, here } from "./assemble.mjs";
+import { assembled } from "./assemble.mjs";
 import { lesson } from "./lesson.mjs";
 
 export const modules = createRequire(join(process.env.PAGE_MODULES ?? "", "x.js"));
@@ -28,7 +28,7 @@ export class Pages {
 
   /** Writes a page of the options of `lesson`, which may be changed by `change`; returns its address. */
   write(options = {}, change = (parts) => parts) {
-    const html = assembled(change({ ...lesson(options), engine: join(here, "fake_engine.js"), reporter: join(here, "fake_report.js") }));
+    const html = assembled(change(lesson(options)));
     const file = join(this.folder, `${++this.count}.html`);
     writeFileSync(file, html);
     return `file://${file}`;

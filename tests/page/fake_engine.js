@@ -2,18 +2,15 @@
 // An engine for tests of what needs none: it draws balls on a Canvas 2D. Its scene is JSON. What was
 // asked of it is kept in `window.engineCalls`. What readers see is tested with the real one (made.mjs).
 
+/** @import { CameraState, Direction, Engine, EngineOptions, LabelMode, Placed, StartEngine } from "../../resources/page/engine.d.ts" */
+
 /** @typedef {{id: number, at: [number, number, number], size: [number, number, number], colour: string,
  *             gamma: number, visible: boolean}} Ball */
 /** @typedef {{balls: Ball[], labels: {id: number, structure: number, view?: number}[],
  *             views: {turn: number, tilt: number, scale: number, gamma?: {[id: string]: number}}[]}} FakeScene */
 
-class Engine {
-  /** @param {EngineOptions} options */
-  static async start(options) {
-    if (location.search.includes("no-drawing")) throw new Error("neither WebGL 2 nor Canvas 2D");
-    return new Engine(options);
-  }
-
+/** @implements {Engine} */
+class FakeEngine {
   /** @param {EngineOptions} options */
   constructor(options) {
     this.means = /** @type {"webgl" | "canvas"} */ (location.search.includes("plain") ? "canvas" : "webgl");
@@ -276,4 +273,10 @@ class Engine {
   }
 
   free() {}
+}
+
+/** @type {StartEngine} */
+export async function startEngine(options) {
+  if (location.search.includes("no-drawing")) throw new Error("neither WebGL 2 nor Canvas 2D");
+  return new FakeEngine(options);
 }

@@ -2,8 +2,10 @@
 // A learning system for tests: it keeps what it is told in `window.reported`, and says that what
 // `window.answeredBefore` holds was answered in an attempt before.
 
-/** @param {"scorm12" | "scorm2004" | "cmi5" | undefined} kind @returns {Reporter} */
-function createReporter(kind) {
+/** @import { CreateReporter } from "../../resources/page/reporter.d.ts" */
+
+/** @type {CreateReporter} */
+export function createReporter(kind) {
   /** @type {unknown[]} */
   const told = [];
   Object.assign(window, { reported: told });

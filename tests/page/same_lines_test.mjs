@@ -9,7 +9,7 @@ import { join } from "node:path";
 import test from "node:test";
 
 const bin = process.env.PAGE_PROGRAMS ?? "";
-const glue = join(bin, "page", "engine_module.js");
+const glue = process.env.PAGE_GLUE ?? "";
 const absent = [glue, join(bin, "sline"), join(bin, "sline-page-lines")].find((file) => !existsSync(file));
 // Where nothing may be absent, what is not built fails the test.
 const skip = absent && !process.env.SLINE_NOTHING_ABSENT && `${absent} is not built`;
@@ -52,7 +52,7 @@ test("WebAssembly finds the workstation's segments", { skip }, async () => {
     const pack = join(folder, "scene.pack");
     execFileSync(join(bin, "sline"), ["demo", "pelvis", "-o", scene]);
     const desktop = JSON.parse(execFileSync(join(bin, "sline-page-lines"), [scene, pack], { maxBuffer: 1 << 30 }));
-    const create = new Function(`${readFileSync(glue, "utf8")}; return createEngineModule;`)();
+    const { default: create } = await import(glue);
     const module = await create({ wasmBinary: readFileSync(join(bin, "page", "engine.wasm")) });
     module._slineOpen();
     module._slineSize(1280, 720, 1);

@@ -171,17 +171,6 @@ class FactsMaker {
   PageWords m_words;
 };
 
-/// Returns the text without what would end the element that holds it.
-std::string withoutTags(const std::string& json) {
-  std::string safe;
-  for (const char each : json)
-    if (each == '<')
-      safe += "\\u003c";
-    else
-      safe += each;
-  return safe;
-}
-
 }  // namespace
 
 std::string pageFacts(const ExportOrder& order, const StudentsOptions& own,
@@ -190,7 +179,7 @@ std::string pageFacts(const ExportOrder& order, const StudentsOptions& own,
   if (extras.simplifiedMm > 0.0f)
     facts["simplifiedMm"] = rounded(extras.simplifiedMm);
   // What is no UTF-8 becomes U+FFFD.
-  return withoutTags(facts.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return facts.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 WordsByLanguage descriptionsOf(const ExportOrder& order, const PageWords& words) {

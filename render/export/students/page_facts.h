@@ -17,7 +17,7 @@ struct FactsExtras {
 };
 
 /// Returns the facts of the page of that order (`pageOrder`), as resources/page/facts.d.ts has
-/// them: JSON in which "<" is written \u003c, so that no text ends the element that holds it.
+/// them: JSON, as resources/page/facts.d.ts has it.
 std::string pageFacts(const ExportOrder& order, const StudentsOptions& own,
                       const FactsExtras& extras);
 

@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "model/disk/process.h"
 #include "model/disk/whole_file.h"
@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t largestPart = 50'000'000;
-constexpr const char* glueName = "engine_module.js";
 
 fs::path pageFolder() {
   if (const char* named = std::getenv("SLINE_PAGE"); named && *named)
@@ -37,63 +36,23 @@ Result<std::string> part(const std::string& name) {
                          text.error().reason,
                .remedy =
                    "Install Sline's package again; where you build it yourself, install "
-                   "emscripten, too (on Debian the package of that name), and build again"};
-}
-
-/// Returns the name on a line of order.txt; empty for remarks and for the glue.
-std::string listedName(std::string line) {
-  constexpr const char* blanks = " \t\r";
-  const std::size_t from = line.find_first_not_of(blanks);
-  if (from == std::string::npos || line[from] == '#')
-    return {};
-  line = line.substr(from, line.find_last_not_of(blanks) + 1 - from);
-  const bool within = line.find('/') == std::string::npos && line != "..";
-  return within && line != glueName ? line : std::string();
-}
-
-Result<std::string> scriptInOrder() {
-  const Result<std::string> order = part("order.txt");
-  if (!order.ok())
-    return order.error();
-  std::string script;
-  std::istringstream lines(*order);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string name = listedName(line);
-    if (name.empty())
-      continue;
-    const Result<std::string> one = part(name);
-    if (!one.ok())
-      return one.error();
-    script += *one + "\n";
-  }
-  return script;
+                   "emscripten and esbuild, too (on Debian the packages of these names), and build "
+                   "again"};
 }
 
 }  // namespace
 
-Result<WebProgram> webProgram() {
-  WebProgram program;
+Result<PageTemplate> pageTemplate() {
+  PageTemplate page;
   for (const auto& [name, text] :
-       {std::pair{glueName, &program.glue}, std::pair{"engine.wasm", &program.wasm}}) {
+       {std::pair{"page.html", &page.html}, std::pair{"page.css", &page.style},
+        std::pair{"page.js", &page.script}, std::pair{"engine.wasm", &page.wasm}}) {
     Result<std::string> read = part(name);
     if (!read.ok())
       return read.error();
     *text = std::move(*read);
   }
-  return program;
-}
-
-Result<PageTemplate> pageTemplate() {
-  Result<std::string> html = part("page.html");
-  if (!html.ok())
-    return html.error();
-  Result<std::string> style = part("page.css");
-  if (!style.ok())
-    return style.error();
-  Result<std::string> script = scriptInOrder();
-  if (!script.ok())
-    return script.error();
-  return PageTemplate{std::move(*html), std::move(*style), std::move(*script)};
+  return page;
 }
 
 }  // namespace sline::render

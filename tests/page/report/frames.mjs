@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A browser's window, as far as reporters need one: with frames around it, events, and timers that
 // run when the test lets them.
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import vm from "node:vm";
 
 const pageFolder = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "..", "resources", "page");
-const scripts = ["report_queue.js", "report_texts.js", "report_scorm.js", "report_scorm12.js",
-                 "report_scorm2004.js", "report_cmi5.js", "report_kinds.js"];
-const source = scripts.map((name) => readFileSync(join(pageFolder, name), "utf8")).join("\n");
-const program = new vm.Script(`(() => { "use strict";\n${source}\n` +
-                              "return { createReporter, suspendedText, answeredIn, clockTime, isoTime };\n})()");
+const source = execFileSync(process.env.SLINE_ESBUILD ?? "esbuild", ["--bundle", "--format=iife", "--global-name=reporters", "--log-level=warning"],
+                            { cwd: pageFolder, encoding: "utf8",
+                              input: 'export * from "./report_kinds.js"; export * from "./report_texts.js";' });
+const program = new vm.Script(`${source}\nreporters;`);
 
 /** A frame that holds others: `api` are its own properties. */
 export function frameAround(api = {}, parent = undefined, opener = null) {
