@@ -42,7 +42,7 @@ export class Card {
     this.stage = stage;
     this.links = links;
     this.element = make("section", { class: "card", id: "card", hidden: true });
-    for (const what of ["chosen", "language", "quiz"]) lesson.hear(what, () => this.remake());
+    lesson.hear(["chosen", "language", "quiz"], () => this.remake());
     lesson.hear("look", () => this.showLook());
   }
 

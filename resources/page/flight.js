@@ -27,11 +27,11 @@ export class Flight {
     this.frame = 0;
     this.view = view;
     lesson.view = view;
-    lesson.tell("view");
+    lesson.tell({ type: "view" });
     if (!engine) return;
     // What the view shows is shown from here on, wherever the reader was before.
     engine.goTo(view, 0);
-    lesson.tell("look");
+    lesson.tell({ type: "look" });
     const milliseconds = 1000 * Math.min(10, Math.max(0, facts.seconds));
     if (atOnce || stillnessWanted() || milliseconds < 50) this.land(engine, view);
     else this.fly(engine, view, milliseconds);
@@ -57,7 +57,7 @@ export class Flight {
   land(engine, view) {
     this.frame = 0;
     engine.goTo(view, 1);
-    this.stage.lesson.tell("look");
+    this.stage.lesson.tell({ type: "look" });
     this.stage.redraw();
   }
 

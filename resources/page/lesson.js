@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds what the page's parts share: facts, languages, what is chosen, which view it is. Parts listen
-// to it by the events `language`, `chosen`, `view`, `look`, `labels`, `quiz` (a question begins or
-// ends), `drawn`, `grab` (the reader moves the scene) and `lost` (the picture's memory is gone).
+// Holds what the page's parts share: facts, languages, what is chosen, which view it is; and hands on
+// what they tell one another (events.d.ts).
 
 import { make } from "./elements.js";
 import { textIn, tongues } from "./texts.js";
 import { firstOf, plainLines, wordsIn } from "./words.js";
 
 /** @import { Placed } from "./engine.d.ts" */
+/** @import { PageEvent, PageEventOf, PageEventType } from "./events.d.ts" */
 /** @import { Facts, NodeFacts, Words } from "./facts.d.ts" */
 
 /** @typedef {"names" | "numbers" | "none"} LabelChoice */
 
-export class Lesson extends EventTarget {
+export class Lesson {
   /** @param {Facts} facts */
   constructor(facts) {
-    super();
     this.facts = facts;
+    this.events = new EventTarget();
     /** @type {Map<number, NodeFacts>} */
     this.nodes = new Map(facts.nodes.map((node) => [node.id, node]));
     /** @type {Map<number, NodeFacts[]>} */
@@ -46,14 +46,20 @@ export class Lesson extends EventTarget {
     this.nameless = facts.quiz.mode === "only";
   }
 
-  /** @param {string} what */
-  tell(what) {
-    this.dispatchEvent(new Event(what));
+  /** @param {PageEvent} event */
+  tell(event) {
+    this.events.dispatchEvent(new CustomEvent(event.type, { detail: event }));
   }
 
-  /** @param {string} what @param {() => void} act */
-  hear(what, act) {
-    this.addEventListener(what, act);
+  /**
+   * @template {PageEventType} Type
+   * @param {Type | Type[]} types
+   * @param {(event: PageEventOf<Type>) => void} act
+   */
+  hear(types, act) {
+    /** @param {Event} event */
+    const heard = (event) => act(/** @type {CustomEvent<PageEventOf<Type>>} */ (event).detail);
+    for (const type of [types].flat()) this.events.addEventListener(type, heard);
   }
 
   /** @param {string} key of the table of texts @param {...(string | number)} parts */
@@ -65,7 +71,7 @@ export class Lesson extends EventTarget {
   speak(language) {
     this.language = language;
     this.tongue = firstOf([language], tongues) ?? this.tongue;
-    this.tell("language");
+    this.tell({ type: "language" });
   }
 
   /** Languages in order of preference. */
@@ -124,7 +130,7 @@ export class Lesson extends EventTarget {
     const known = ids.filter((id) => this.nodes.has(id));
     if (known.join() === this.chosen.join()) return;
     this.chosen = known;
-    this.tell("chosen");
+    this.tell({ type: "chosen" });
   }
 
   /** Texts of labels as the engine wants them. */

@@ -11,7 +11,7 @@ export class Links {
     this.lesson = lesson;
     this.goTo = goTo;
     window.addEventListener("hashchange", () => this.follow(location.hash, false));
-    for (const what of ["view", "chosen"]) lesson.hear(what, () => this.keep());
+    lesson.hear(["view", "chosen"], () => this.keep());
   }
 
   /** @param {number} id @returns {string | undefined} */

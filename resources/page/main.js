@@ -49,7 +49,7 @@ class Page {
       twice: (structure) => this.twice(structure),
     });
     lesson.hear("language", () => this.speak());
-    lesson.hear("panels", () => this.panelsChanged());
+    lesson.hear("panels", ({ open }) => this.panelsChanged(open));
     lesson.hear("lost", () => this.tellLost());
     document.addEventListener("keydown", (event) => {
       if (this.key(event)) event.preventDefault();
@@ -125,8 +125,9 @@ class Page {
     if (held) language.focus();
   }
 
-  panelsChanged() {
-    if (this.panels.open.has("quiz")) this.quiz.proceed();
+  /** @param {ReadonlySet<PanelName>} open */
+  panelsChanged(open) {
+    if (open.has("quiz")) this.quiz.proceed();
     else this.quiz.pause();
     this.lesson.announce("");
   }
@@ -183,7 +184,7 @@ class Page {
     engine.load(scene);
     stage.begin(engine);
     stage.element.querySelector(".first-picture")?.remove();
-    lesson.tell("look");
+    lesson.tell({ type: "look" });
     this.links.follow(location.hash);
     await this.addContext(engine);
     this.status.textContent = engine.means === "canvas" ? lesson.say("plain") : "";
@@ -202,7 +203,7 @@ class Page {
       const context = await unpacked("scene-context");
       if (context) engine.addContext(context);
       this.stage.redraw();
-      this.lesson.tell("look");
+      this.lesson.tell({ type: "look" });
     } catch (error) {
       const reason = error instanceof PageError ? this.lesson.say(error.key, ...error.parts) : String(error);
       throw new Error(this.lesson.say("contextFailed", reason));

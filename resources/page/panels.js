@@ -78,6 +78,6 @@ export class Panels {
       section.hidden = !open;
       document.body.classList.toggle(`with-${name}`, open);
     }
-    this.lesson.tell("panels");
+    this.lesson.tell({ type: "panels", open: this.open });
   }
 }

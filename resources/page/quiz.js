@@ -146,8 +146,8 @@ export class Quiz {
     stage.cameraHeld = quiz.lockCamera;
     stage.lookHeld = quiz.lockLook;
     lesson.choose(question.marked());
-    lesson.tell("look");
-    lesson.tell("quiz");
+    lesson.tell({ type: "look" });
+    lesson.tell({ type: "quiz" });
     this.remake();
   }
 
@@ -212,7 +212,7 @@ export class Quiz {
     stage.askedLabels = lesson.nameless ? { show: false, texts: {} }
                                         : { show: true, only: facts.labels, texts: lesson.labelTexts() };
     lesson.choose(facts.structures);
-    lesson.tell("quiz");
+    lesson.tell({ type: "quiz" });
     stage.showChosen();
     this.remake();
     lesson.announce([...this.element.querySelectorAll(".verdict p")].map((p) => p.textContent).join(" "));
@@ -273,7 +273,7 @@ export class Quiz {
     stage.cameraHeld = false;
     stage.lookHeld = false;
     lesson.choose([]);
-    lesson.tell("quiz");
+    lesson.tell({ type: "quiz" });
   }
 
   /** The reader leaves the quiz for the scene. */
@@ -288,7 +288,7 @@ export class Quiz {
     else if (this.state === "told") {
       this.lesson.asking = true;
       this.lesson.choose(this.question.facts.structures);
-      this.lesson.tell("quiz");
+      this.lesson.tell({ type: "quiz" });
     }
   }
 

@@ -40,11 +40,11 @@ export class Stage {
     this.moving = false;
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      lesson.tell("lost");
+      lesson.tell({ type: "lost" });
     });
-    for (const what of ["chosen", "quiz"]) lesson.hear(what, () => this.showChosen());
-    for (const what of ["labels", "language", "quiz"]) lesson.hear(what, () => this.showLabels());
-    for (const what of ["language", "view", "chosen"]) lesson.hear(what, () => this.describe());
+    lesson.hear(["chosen", "quiz"], () => this.showChosen());
+    lesson.hear(["labels", "language", "quiz"], () => this.showLabels());
+    lesson.hear(["language", "view", "chosen"], () => this.describe());
     this.describe();
   }
 
@@ -108,18 +108,18 @@ export class Stage {
       const drawn = this.engine.draw(this.moving);
       this.lesson.placed = drawn.labels;
       if (!drawn.complete && !this.moving) this.redraw();
-      this.lesson.tell("drawn");
+      this.lesson.tell({ type: "drawn" });
     } catch {
       // Out of memory, most likely; what follows would fail as well.
       this.engine = undefined;
-      this.lesson.tell("lost");
+      this.lesson.tell({ type: "lost" });
     }
   }
 
   /** Does something to the camera unless it is held. @param {(engine: Engine) => void} act */
   move(act, moving = true) {
     if (!this.engine || this.cameraHeld) return;
-    this.lesson.tell("grab");
+    this.lesson.tell({ type: "grab" });
     act(this.engine);
     this.redraw(moving);
   }
@@ -127,9 +127,9 @@ export class Stage {
   /** Does something to the look unless it is held. @param {(engine: Engine) => void} act */
   dress(act, moving = false) {
     if (!this.engine || this.lookHeld) return;
-    this.lesson.tell("grab");
+    this.lesson.tell({ type: "grab" });
     act(this.engine);
-    this.lesson.tell("look");
+    this.lesson.tell({ type: "look" });
     this.redraw(moving);
   }
 

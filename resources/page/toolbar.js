@@ -21,7 +21,7 @@ export class Toolbar {
     this.remake();
     lesson.hear("language", () => this.remake());
     lesson.hear("drawn", () => this.showFacing());
-    for (const what of ["view", "quiz"]) lesson.hear(what, () => this.showTitle());
+    lesson.hear(["view", "quiz"], () => this.showTitle());
     lesson.hear("quiz", () => this.showHeld());
   }
 
@@ -61,7 +61,7 @@ export class Toolbar {
 
   labelsChosen() {
     this.lesson.labels = /** @type {LabelChoice} */ (this.labels?.value);
-    this.lesson.tell("labels");
+    this.lesson.tell({ type: "labels" });
   }
 
   showFacing() {

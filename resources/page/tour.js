@@ -17,7 +17,7 @@ export class Tour {
     this.links = links;
     this.element = make("div", { class: "tour-box" });
     this.remake();
-    for (const what of ["language", "view"]) lesson.hear(what, () => this.remake());
+    lesson.hear(["language", "view"], () => this.remake());
   }
 
   get count() {

@@ -31,7 +31,7 @@ export class StructureTree {
     lesson.hear("language", () => this.remake());
     lesson.hear("chosen", () => this.showChosen());
     lesson.hear("look", () => this.showLook());
-    for (const what of ["drawn", "labels"]) lesson.hear(what, () => this.showNumbers());
+    lesson.hear(["drawn", "labels"], () => this.showNumbers());
   }
 
   remake() {
