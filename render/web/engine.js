@@ -2,6 +2,8 @@
 // The drawing of the students' page: hands what the page asks for to the program (exports.cpp), and
 // draws the labels that it lays out (resources/page/engine.d.ts).
 
+import { edgeLetters, labelGroup, labelSize } from "./engine_labels.js";
+
 /** @import { CameraState, Direction, Engine, EngineOptions, LabelMode, Placed } from "../../resources/page/engine.d.ts" */
 
 /**
@@ -22,9 +24,6 @@
 
 const engineSides = ["anterior", "posterior", "left", "right", "superior", "inferior"];
 const engineLetters = ["A", "P", "L", "R", "S", "I"];
-const svgSpace = "http://www.w3.org/2000/svg";
-/** Lengths of labels, in CSS pixels. */
-const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, edge: 10 };
 
 /** @implements {Engine} */
 class WebEngine {
@@ -406,79 +405,12 @@ class WebEngine {
         number: this.labelIds().indexOf(id) + 1,
       };
       placed.push(label);
-      groups.push(this.labelGroup(label, side, pairs.slice(0, places), pairs.slice(places)));
+      groups.push(labelGroup({ label, side, places: pairs.slice(0, places), leader: pairs.slice(places) },
+                             this.textOf(id).lines, this.mode.numbers === true));
     }
-    this.overlay.replaceChildren(...this.edgeLetters(placed), ...groups);
-    return placed;
-  }
-
-  /** The sides of the body at the picture's edges, as near to their middles as no label stands. @param {Placed[]} placed */
-  edgeLetters(placed) {
     const letters = (this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()) : "").split(",");
-    const { text, edge } = labelSize;
-    const [width, height] = [this.width, this.height];
-    return letters.flatMap((/** @type {string} */ letter, /** @type {number} */ i) => {
-      const anchor = ["start", "end", "middle", "middle"][i];
-      const across = [edge, width - edge, edge + text / 2, height - edge - text / 2][i];
-      const [length, reach] = [i < 2 ? height : width, text * letter.length];
-      for (let k = 0; letter && k * text < 0.9 * length; ++k) {
-        const along = length / 2 + (k % 2 ? 1 : -1) * Math.ceil(k / 2) * text;
-        const [x, y] = i < 2 ? [across, along] : [along, across];
-        if (!placed.some(({ box: [left, top, wide, high] }) =>
-          left < x + reach && left + wide > x - reach && top < y + text && top + high > y - text))
-          return [this.shape("text", "edge-letter",
-                             { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letter)];
-      }
-      return [];
-    });
-  }
-
-  /**
-   * @param {string} name @param {string} kind its class
-   * @param {{[key: string]: string | number}} values @param {string} [words] in it
-   */
-  shape(name, kind, values, words = "") {
-    const shape = document.createElementNS(svgSpace, name);
-    shape.setAttribute("class", kind);
-    for (const [key, value] of Object.entries(values))
-      shape.setAttribute(key, String(value));
-    shape.textContent = words;
-    return shape;
-  }
-
-  /**
-   * @param {Placed} label @param {number} side
-   * @param {number[][]} places @param {number[][]} leader
-   */
-  labelGroup(label, side, places, leader) {
-    const group = document.createElementNS(svgSpace, "g");
-    group.setAttribute("class", "label");
-    group.dataset.id = String(label.id);
-    /** @param {string} name @param {string} kind @param {{[key: string]: string | number}} values */
-    const add = (name, kind, values) => group.append(this.shape(name, kind, values));
-    const line = leader.length > 1 ? leader : places.length > 1 ? places : [];
-    if (line.length > 1)
-      add("path", label.hidden ? "leader hidden" : "leader", { d: `M${line.map((p) => p.join(" ")).join("L")}` });
-    for (const [x, y] of places)
-      add("circle", label.hidden ? "dot hidden" : "dot", { cx: x, cy: y, r: labelSize.dot });
-    const [left, top, width, height] = label.box;
-    if (this.mode.numbers)
-      add("circle", "badge", { cx: left + width / 2, cy: top + height / 2, r: labelSize.badge });
-    this.addText(group, label, side, places);
-    return group;
-  }
-
-  /** @param {SVGElement} group @param {Placed} label @param {number} side @param {number[][]} places */
-  addText(group, label, side, places) {
-    const { lines } = this.textOf(label.id);
-    const [left, top, width, height] = label.box;
-    const toLeft = side === 0 || (side >= 2 && left + width / 2 < (places[0]?.[0] ?? 0));
-    const anchor = this.mode.numbers ? "middle" : toLeft ? "end" : "start";
-    const x = anchor === "middle" ? left + width / 2
-      : anchor === "end" ? left + width - labelSize.padding : left + labelSize.padding;
-    const first = top + height / 2 - (lines.length - 1) * labelSize.line / 2 + 0.35 * labelSize.text;
-    lines.forEach((line, i) => group.append(this.shape("text", "label-text",
-      { x, y: first + i * labelSize.line, "text-anchor": anchor, "font-size": labelSize.text }, line)));
+    this.overlay.replaceChildren(...edgeLetters(letters, placed, this), ...groups);
+    return placed;
   }
 
   /** @param {number} x @param {number} y */
