@@ -125,7 +125,7 @@ function ordersOf(words) {
  * @returns {"right" | "nearly" | "wrong"}
  */
 export function judged(typed, { answers, others, salt }) {
-  const words = typed.split(/[\s,;()\/]+/u).map(normalised).filter((word) => word);
+  const words = typed.split(/[\s,;()/]+/u).map(normalised).filter((word) => word);
   if (words.length === 0) return "wrong";
   const right = new Set(answers);
   const named = words.filter((word) => !articles.has(word));
