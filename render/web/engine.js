@@ -50,18 +50,21 @@ class WebEngine {
     /** The fills of a drawing without WebGL. @type {HTMLCanvasElement | null} */
     this.fills = null;
     module._slineOpen();
-    if (!this.openWebgl())
-      this.openPen();
+    if (!this.openWebgl()) this.openPen();
   }
 
   /** Opens the picture that WebGL 2 draws; returns false where there is none. */
   openWebgl() {
     const context = this.module.GL.createContext(this.canvas, {
-      alpha: false, antialias: false, depth: false, stencil: false, majorVersion: 2,
-      premultipliedAlpha: true, preserveDrawingBuffer: true,
+      alpha: false,
+      antialias: false,
+      depth: false,
+      stencil: false,
+      majorVersion: 2,
+      premultipliedAlpha: true,
+      preserveDrawingBuffer: true,
     });
-    return Boolean(context && this.module.GL.makeContextCurrent(context) &&
-      this.module._slineOpenPicture());
+    return Boolean(context && this.module.GL.makeContextCurrent(context) && this.module._slineOpenPicture());
   }
 
   /** Opens a canvas on which the same strokes are drawn one by one. */
@@ -74,23 +77,20 @@ class WebEngine {
       this.canvas = fresh;
       this.pen = fresh.getContext("2d");
     }
-    if (!this.pen)
-      throw new Error("This browser has neither WebGL 2 nor a canvas");
+    if (!this.pen) throw new Error("This browser has neither WebGL 2 nor a canvas");
     this.means = "canvas";
     this.fills = document.createElement("canvas");
   }
 
   /** @param {number | boolean} fine throws what went wrong */
   check(fine) {
-    if (!fine)
-      throw new Error(this.module.UTF8ToString(this.module._slineError()));
+    if (!fine) throw new Error(this.module.UTF8ToString(this.module._slineError()));
   }
 
   /** @param {Uint8Array} scene @param {Uint8Array} [context] */
   load(scene, context) {
     this.take(scene);
-    if (context)
-      this.take(context);
+    if (context) this.take(context);
   }
 
   /** @param {Uint8Array} scene */
@@ -101,8 +101,7 @@ class WebEngine {
   /** @param {Uint8Array} bytes */
   take(bytes) {
     const place = this.module._malloc(bytes.length);
-    if (!place)
-      throw new Error("The memory of this page does not hold the scene");
+    if (!place) throw new Error("The memory of this page does not hold the scene");
     this.module.HEAPU8.set(bytes, place);
     const fine = this.module._slineTake(place, bytes.length);
     this.module._free(place);
@@ -124,8 +123,7 @@ class WebEngine {
 
   /** @param {number} width @param {number} height @param {number} ratio */
   size(width, height, ratio) {
-    if (width !== this.width)
-      this.setTexts.clear();
+    if (width !== this.width) this.setTexts.clear();
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
     this.ratio = ratio;
@@ -173,16 +171,14 @@ class WebEngine {
     const at = this.module._slineCamera() / 4;
     /** @type {CameraState} */
     const camera = {};
-    for (let i = 0; i < 12; ++i)
-      camera[`c${i}`] = this.module.HEAPF32[at + i];
+    for (let i = 0; i < 12; ++i) camera[`c${i}`] = this.module.HEAPF32[at + i];
     return camera;
   }
 
   /** @param {CameraState} camera */
   setCamera(camera) {
     const place = this.module._malloc(48);
-    for (let i = 0; i < 12; ++i)
-      this.module.HEAPF32[place / 4 + i] = camera[`c${i}`] ?? 0;
+    for (let i = 0; i < 12; ++i) this.module.HEAPF32[place / 4 + i] = camera[`c${i}`] ?? 0;
     this.module._slineSetCamera(place);
     this.module._free(place);
   }
@@ -246,8 +242,7 @@ class WebEngine {
   /** @param {number} id @returns {SetText} */
   textOf(id) {
     const known = this.setTexts.get(id);
-    if (known)
-      return known;
+    if (known) return known;
     const made = this.mode.numbers
       ? { lines: [String(this.labelIds().indexOf(id) + 1)], width: 2 * labelSize.badge, height: 2 * labelSize.badge }
       : this.broken(this.mode.texts[id] ?? []);
@@ -283,8 +278,7 @@ class WebEngine {
 
   /** @param {string} line */
   widthOf(line) {
-    if (!this.measure)
-      return 0.55 * labelSize.text * line.length;
+    if (!this.measure) return 0.55 * labelSize.text * line.length;
     this.measure.font = `${labelSize.text}px ${getComputedStyle(this.overlay).fontFamily || "sans-serif"}`;
     return this.measure.measureText(line).width;
   }
@@ -317,15 +311,13 @@ class WebEngine {
     const state = this.module._slineDraw(moving);
     this.check(state >= 0);
     const sync = moving ? gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) : null;
-    if (sync)
-      this.drawn = { sync, began, own: performance.now() - began };
+    if (sync) this.drawn = { sync, began, own: performance.now() - began };
     return state === 1;
   }
 
   /** Tells how long the picture before took: WebGL draws on while the program has done its part. @param {WebGL2RenderingContext} gl */
   judgeLast(gl) {
-    if (!this.drawn)
-      return;
+    if (!this.drawn) return;
     const { sync, began, own } = this.drawn;
     this.drawn = undefined;
     const done = gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.SIGNALED;
@@ -342,7 +334,10 @@ class WebEngine {
     fills.width = width;
     fills.height = height;
     const image = new ImageData(
-      new Uint8ClampedArray(this.module.HEAPU8.slice(pixels, pixels + 4 * width * height)), width, height);
+      new Uint8ClampedArray(this.module.HEAPU8.slice(pixels, pixels + 4 * width * height)),
+      width,
+      height,
+    );
     fills.getContext("2d")?.putImageData(image, 0, 0);
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.globalAlpha = 1;
@@ -367,8 +362,7 @@ class WebEngine {
       const opacityNow = Math.round(opacity * 32) / 32;
       const look = `${red},${green},${blue},${opacityNow},${widthNow}`;
       if (look !== last) {
-        if (last)
-          pen.stroke();
+        if (last) pen.stroke();
         pen.beginPath();
         pen.strokeStyle = `rgb(${red},${green},${blue})`;
         pen.globalAlpha = opacityNow;
@@ -377,12 +371,10 @@ class WebEngine {
       }
       at += 6;
       pen.moveTo(numbers[at], numbers[at + 1]);
-      for (let k = 1; k < points; ++k)
-        pen.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
+      for (let k = 1; k < points; ++k) pen.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
       at += 2 * points;
     }
-    if (last)
-      pen.stroke();
+    if (last) pen.stroke();
   }
 
   /** @param {boolean} moving @returns {Placed[]} */
@@ -396,8 +388,7 @@ class WebEngine {
       const [id, hidden, side, left, top, right, bottom, places, points] = numbers.subarray(at, at + 9);
       at += 9;
       const pairs = [];
-      for (let i = 0; i < places + points; ++i, at += 2)
-        pairs.push([numbers[at], numbers[at + 1]]);
+      for (let i = 0; i < places + points; ++i, at += 2) pairs.push([numbers[at], numbers[at + 1]]);
       const label = {
         id,
         box: /** @type {[number, number, number, number]} */ ([left, top, right - left, bottom - top]),
@@ -405,8 +396,13 @@ class WebEngine {
         number: this.labelIds().indexOf(id) + 1,
       };
       placed.push(label);
-      groups.push(labelGroup({ label, side, places: pairs.slice(0, places), leader: pairs.slice(places) },
-                             this.textOf(id).lines, this.mode.numbers === true));
+      groups.push(
+        labelGroup(
+          { label, side, places: pairs.slice(0, places), leader: pairs.slice(places) },
+          this.textOf(id).lines,
+          this.mode.numbers === true,
+        ),
+      );
     }
     const letters = (this.mode.sides ? this.module.UTF8ToString(this.module._slineEdges()) : "").split(",");
     this.overlay.replaceChildren(...edgeLetters(letters, placed, this), ...groups);

@@ -21,8 +21,7 @@ export const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, ed
 function shape(name, kind, values, words = "") {
   const made = document.createElementNS(svgSpace, name);
   made.setAttribute("class", kind);
-  for (const [key, value] of Object.entries(values))
-    made.setAttribute(key, String(value));
+  for (const [key, value] of Object.entries(values)) made.setAttribute(key, String(value));
   made.textContent = words;
   return made;
 }
@@ -41,9 +40,15 @@ export function edgeLetters(letters, placed, { width, height }) {
     for (let k = 0; letter && k * text < 0.9 * length; ++k) {
       const along = length / 2 + (k % 2 ? 1 : -1) * Math.ceil(k / 2) * text;
       const [x, y] = i < 2 ? [across, along] : [along, across];
-      if (!placed.some(({ box: [left, top, wide, high] }) =>
-        left < x + reach && left + wide > x - reach && top < y + text && top + high > y - text))
-        return [shape("text", "edge-letter", { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letter)];
+      if (
+        !placed.some(
+          ({ box: [left, top, wide, high] }) =>
+            left < x + reach && left + wide > x - reach && top < y + text && top + high > y - text,
+        )
+      )
+        return [
+          shape("text", "edge-letter", { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letter),
+        ];
     }
     return [];
   });
@@ -54,7 +59,9 @@ export function labelGroup({ label, side, places, leader }, lines, numbered) {
   const group = shape("g", "label", { "data-id": label.id });
   const line = leader.length > 1 ? leader : places.length > 1 ? places : [];
   if (line.length > 1)
-    group.append(shape("path", label.hidden ? "leader hidden" : "leader", { d: `M${line.map((p) => p.join(" ")).join("L")}` }));
+    group.append(
+      shape("path", label.hidden ? "leader hidden" : "leader", { d: `M${line.map((p) => p.join(" ")).join("L")}` }),
+    );
   for (const [x, y] of places)
     group.append(shape("circle", label.hidden ? "dot hidden" : "dot", { cx: x, cy: y, r: labelSize.dot }));
   const [left, top, width, height] = label.box;
@@ -62,10 +69,22 @@ export function labelGroup({ label, side, places, leader }, lines, numbered) {
     group.append(shape("circle", "badge", { cx: left + width / 2, cy: top + height / 2, r: labelSize.badge }));
   const toLeft = side === 0 || (side >= 2 && left + width / 2 < (places[0]?.[0] ?? 0));
   const anchor = numbered ? "middle" : toLeft ? "end" : "start";
-  const x = anchor === "middle" ? left + width / 2
-    : anchor === "end" ? left + width - labelSize.padding : left + labelSize.padding;
-  const first = top + height / 2 - (lines.length - 1) * labelSize.line / 2 + 0.35 * labelSize.text;
-  lines.forEach((words, i) => group.append(shape("text", "label-text",
-    { x, y: first + i * labelSize.line, "text-anchor": anchor, "font-size": labelSize.text }, words)));
+  const x =
+    anchor === "middle"
+      ? left + width / 2
+      : anchor === "end"
+        ? left + width - labelSize.padding
+        : left + labelSize.padding;
+  const first = top + height / 2 - ((lines.length - 1) * labelSize.line) / 2 + 0.35 * labelSize.text;
+  lines.forEach((words, i) =>
+    group.append(
+      shape(
+        "text",
+        "label-text",
+        { x, y: first + i * labelSize.line, "text-anchor": anchor, "font-size": labelSize.text },
+        words,
+      ),
+    ),
+  );
   return group;
 }

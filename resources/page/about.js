@@ -23,13 +23,24 @@ export class About {
     const section = (/** @type {string} */ key, /** @type {Node[]} */ ...inside) =>
       inside.length ? make("section", {}, make("h3", {}, lesson.say(key)), ...inside) : null;
     this.element.replaceChildren(
-      make("header", {}, make("h2", { id: "about-title" }, lesson.facts.title),
-           iconButton("close", lesson.say("close"), () => this.element.close())),
-      section("gestures", this.rows(["fingerTurn", "fingerZoom", "fingerTap", "fingerTwice", "mouseMove", "mouseWheel"])) ?? "",
-      section("keys", this.rows(["keyTurn", "keyRoll", "keyZoom", "keySides", "keyHome", "keyGamma", "keyTour", "keyFilter"])) ?? "",
+      make(
+        "header",
+        {},
+        make("h2", { id: "about-title" }, lesson.facts.title),
+        iconButton("close", lesson.say("close"), () => this.element.close()),
+      ),
+      section(
+        "gestures",
+        this.rows(["fingerTurn", "fingerZoom", "fingerTap", "fingerTwice", "mouseMove", "mouseWheel"]),
+      ) ?? "",
+      section(
+        "keys",
+        this.rows(["keyTurn", "keyRoll", "keyZoom", "keySides", "keyHome", "keyGamma", "keyTour", "keyFilter"]),
+      ) ?? "",
       section("credits", ...credits.map((credit) => make("p", { dir: "auto" }, credit))) ?? "",
       ...(millimetres ? [make("p", { class: "small" }, lesson.say("simplified", millimetres))] : []),
-      make("p", { class: "small" }, lesson.say("nothingKept")));
+      make("p", { class: "small" }, lesson.say("nothingKept")),
+    );
     this.element.showModal();
   }
 

@@ -39,13 +39,12 @@ function hashBlock(hash, words, block, w) {
     }
     const a = w[i - 15];
     const b = w[i - 2];
-    w[i] = w[i - 16] + w[i - 7] + (turned(a, 7) ^ turned(a, 18) ^ (a >>> 3)) +
-           (turned(b, 17) ^ turned(b, 19) ^ (b >>> 10));
+    w[i] =
+      w[i - 16] + w[i - 7] + (turned(a, 7) ^ turned(a, 18) ^ (a >>> 3)) + (turned(b, 17) ^ turned(b, 19) ^ (b >>> 10));
   }
   let [a, b, c, d, e, f, g, h] = hash;
   for (let i = 0; i < 64; ++i) {
-    const one = (h + (turned(e, 6) ^ turned(e, 11) ^ turned(e, 25)) + ((e & f) ^ (~e & g)) +
-                 hashRounds[i] + w[i]) | 0;
+    const one = (h + (turned(e, 6) ^ turned(e, 11) ^ turned(e, 25)) + ((e & f) ^ (~e & g)) + hashRounds[i] + w[i]) | 0;
     const two = ((turned(a, 2) ^ turned(a, 13) ^ turned(a, 22)) + ((a & b) ^ (a & c) ^ (b & c))) | 0;
     [h, g, f, e, d, c, b, a] = [g, f, e, (d + one) | 0, c, b, a, (one + two) | 0];
   }
@@ -70,10 +69,14 @@ export function answerHash(salt, name) {
 }
 
 /** Words that are a slip of another word, and yet mean something of their own. */
-const wordsOfTheirOwn = new Set(("ileum ilium ileal ilial iliac carpal tarsal carpus tarsus carpi tarsi " +
-  "carpalia tarsalia abductor adductor abduction adduction anterior interior inferior exterior " +
-  "perineal peroneal medial median mediana radial facial malleus malleolus ureter urethra " +
-  "interosseous sacral cervix cerebrum cerebellum vagina vagus").split(" "));
+const wordsOfTheirOwn = new Set(
+  (
+    "ileum ilium ileal ilial iliac carpal tarsal carpus tarsus carpi tarsi " +
+    "carpalia tarsalia abductor adductor abduction adduction anterior interior inferior exterior " +
+    "perineal peroneal medial median mediana radial facial malleus malleolus ureter urethra " +
+    "interosseous sacral cervix cerebrum cerebellum vagina vagus"
+  ).split(" "),
+);
 
 /** Articles, which may be left out. */
 const articles = new Set(["the", "a", "der", "die", "das", "de", "het", "den", "det"]);
@@ -98,8 +101,20 @@ function slipsOf(word) {
       if (after) out.add(before + letter + after.slice(1));
     }
   }
-  for (const [a, b] of [["ph", "f"], ["ae", "a"], ["oe", "o"], ["ue", "u"], ["oe", "ø"], ["ae", "æ"],
-                        ["ss", "ß"], ["k", "c"], ["z", "c"], ["y", "i"], ["th", "t"], ["rh", "r"]])
+  for (const [a, b] of [
+    ["ph", "f"],
+    ["ae", "a"],
+    ["oe", "o"],
+    ["ue", "u"],
+    ["oe", "ø"],
+    ["ae", "æ"],
+    ["ss", "ß"],
+    ["k", "c"],
+    ["z", "c"],
+    ["y", "i"],
+    ["th", "t"],
+    ["rh", "r"],
+  ])
     out.add(word.split(a).join(b)).add(word.split(b).join(a));
   out.add(word.replace(/(.)\1/gu, "$1"));
   out.delete(word);
@@ -114,7 +129,8 @@ function slipsOf(word) {
 function ordersOf(words) {
   if (words.length > 4 || words.length < 2) return [words];
   return words.flatMap((word, i) =>
-    ordersOf([...words.slice(0, i), ...words.slice(i + 1)]).map((rest) => [word, ...rest]));
+    ordersOf([...words.slice(0, i), ...words.slice(i + 1)]).map((rest) => [word, ...rest]),
+  );
 }
 
 /**
@@ -125,7 +141,10 @@ function ordersOf(words) {
  * @returns {"right" | "nearly" | "wrong"}
  */
 export function judged(typed, { answers, others, salt }) {
-  const words = typed.split(/[\s,;()/]+/u).map(normalised).filter((word) => word);
+  const words = typed
+    .split(/[\s,;()/]+/u)
+    .map(normalised)
+    .filter((word) => word);
   if (words.length === 0) return "wrong";
   const right = new Set(answers);
   const named = words.filter((word) => !articles.has(word));

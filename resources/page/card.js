@@ -16,8 +16,15 @@ import { linesElement } from "./lines.js";
  * @param {{[name: string]: string}} [traits]
  */
 export function gammaSlider(lesson, label, act, traits = {}) {
-  const slider = make("input", { type: "range", min: 0, max: 5, step: 0.05, class: "gamma",
-                                 "aria-label": label, ...traits });
+  const slider = make("input", {
+    type: "range",
+    min: 0,
+    max: 5,
+    step: 0.05,
+    class: "gamma",
+    "aria-label": label,
+    ...traits,
+  });
   slider.addEventListener("input", () => {
     showGamma(lesson, slider, Number(slider.value));
     act(Number(slider.value), true);
@@ -57,30 +64,42 @@ export class Card {
     }
     this.element.setAttribute("aria-label", lesson.say("chosen"));
     this.eye = iconButton("eye", lesson.say("hide"), () => stage.setVisible(ids, !this.anyShown()));
-    this.slider = gammaSlider(lesson, lesson.say("gamma"),
-                              (gamma, moving) => stage.setGamma(ids, gamma, moving));
+    this.slider = gammaSlider(lesson, lesson.say("gamma"), (gamma, moving) => stage.setGamma(ids, gamma, moving));
     this.stageName = make("output", { class: "stage-name" });
     this.element.replaceChildren(
-      make("header", { class: "card-head" }, this.names(),
-           make("div", { class: "card-tools" }, this.eye,
-                iconButton("alone", lesson.say("alone"), () => stage.isolate(ids)),
-                iconButton("fit", lesson.say("zoomTo"), () => stage.fit(ids)),
-                iconButton("reset", lesson.say("resetLook"), () => stage.dress((engine) => engine.resetLook())),
-                iconButton("close", lesson.say("close"), () => lesson.choose([])))),
-      make("div", { class: "gamma-row" }, make("span", { class: "gamma-sign", "aria-hidden": "true" }, "Γ"),
-           this.slider, this.stageName),
-      this.note() ?? "");
+      make(
+        "header",
+        { class: "card-head" },
+        this.names(),
+        make(
+          "div",
+          { class: "card-tools" },
+          this.eye,
+          iconButton("alone", lesson.say("alone"), () => stage.isolate(ids)),
+          iconButton("fit", lesson.say("zoomTo"), () => stage.fit(ids)),
+          iconButton("reset", lesson.say("resetLook"), () => stage.dress((engine) => engine.resetLook())),
+          iconButton("close", lesson.say("close"), () => lesson.choose([])),
+        ),
+      ),
+      make(
+        "div",
+        { class: "gamma-row" },
+        make("span", { class: "gamma-sign", "aria-hidden": "true" }, "Γ"),
+        this.slider,
+        this.stageName,
+      ),
+      this.note() ?? "",
+    );
     this.showLook();
   }
 
   names() {
     const { lesson } = this;
-    if (lesson.chosen.length !== 1)
-      return make("h2", {}, lesson.say("several", lesson.chosen.length));
+    if (lesson.chosen.length !== 1) return make("h2", {}, lesson.say("several", lesson.chosen.length));
     const names = lesson.nodes.get(lesson.chosen[0])?.names;
     const shown = lesson.pick(names);
-    const latin = names?.la && names.la !== shown?.words
-      ? make("p", { class: "latin", lang: "la", dir: "ltr" }, names.la) : null;
+    const latin =
+      names?.la && names.la !== shown?.words ? make("p", { class: "latin", lang: "la", dir: "ltr" }, names.la) : null;
     const title = lesson.wordsElement(names, "h2");
     if (!shown) title.textContent = lesson.nameOf(lesson.chosen[0]);
     return make("div", { class: "card-names" }, inTwoLines(title), latin);
@@ -94,7 +113,8 @@ export class Card {
       .map((label) => lesson.pick(label.words));
     const notes = lesson.chosen.length === 1 ? [lesson.pick(lesson.nodes.get(id)?.note), ...said] : [];
     const there = notes.flatMap((note) =>
-      note && note.words.length ? [linesElement(note.words, note.language, this.links)] : []);
+      note && note.words.length ? [linesElement(note.words, note.language, this.links)] : [],
+    );
     return there.length ? make("div", { class: "note" }, ...there) : null;
   }
 

@@ -20,15 +20,21 @@ export class ChoiceQuestion extends Question {
   remake() {
     const { lesson, facts } = this;
     const choices = (facts.choices ?? []).map((words, i) =>
-      make("li", {}, make("button", { type: "button", class: "choice", click: () => this.chosen(i) },
-                          lesson.wordsElement(words))));
+      make(
+        "li",
+        {},
+        make("button", { type: "button", class: "choice", click: () => this.chosen(i) }, lesson.wordsElement(words)),
+      ),
+    );
     this.element.replaceChildren(make("ul", { class: "choices" }, ...choices));
   }
 
   /** @param {number} choice */
   chosen(choice) {
-    this.done({ correct: choice === this.facts.right,
-                response: this.lesson.pick(this.facts.choices?.[choice])?.words ?? String(choice + 1) });
+    this.done({
+      correct: choice === this.facts.right,
+      response: this.lesson.pick(this.facts.choices?.[choice])?.words ?? String(choice + 1),
+    });
   }
 
   further() {

@@ -50,8 +50,12 @@ export class DragQuestion extends Question {
     const { lesson, facts } = this;
     const structure = facts.structures[name.place];
     const label = facts.labels[name.place];
-    return lesson.pick(facts.choices?.[name.place])?.words ?? lesson.pick(lesson.nodes.get(structure)?.names)?.words ??
-           lesson.labelTexts()[label]?.join(" ") ?? lesson.nameOf(structure);
+    return (
+      lesson.pick(facts.choices?.[name.place])?.words ??
+      lesson.pick(lesson.nodes.get(structure)?.names)?.words ??
+      lesson.labelTexts()[label]?.join(" ") ??
+      lesson.nameOf(structure)
+    );
   }
 
   /** Structures on which the name would be right. @param {DraggedName} name */
@@ -92,10 +96,19 @@ export class DragQuestion extends Question {
 
   /** @param {DraggedName} name */
   chip(name) {
-    const chip = make("button", { type: "button", class: "chip", dir: "auto",
-                                  "aria-pressed": String(this.held === name), click: () => this.hold(name) },
-                      this.wordsOf(name),
-                      name.at ? icon("right") : null, name.at ? unseen(this.lesson.say("placed")) : null);
+    const chip = make(
+      "button",
+      {
+        type: "button",
+        class: "chip",
+        dir: "auto",
+        "aria-pressed": String(this.held === name),
+        click: () => this.hold(name),
+      },
+      this.wordsOf(name),
+      name.at ? icon("right") : null,
+      name.at ? unseen(this.lesson.say("placed")) : null,
+    );
     chip.classList.toggle("put", name.at !== 0);
     chip.addEventListener("pointerdown", (event) => this.grab(event, chip, name));
     return chip;
@@ -156,8 +169,10 @@ export class DragQuestion extends Question {
   finish() {
     const right = this.dragged.filter((name) => this.homes(name).includes(name.at)).length;
     const correct = right === this.dragged.length;
-    this.done({ correct,
-                response: this.dragged.map((name) => `${this.wordsOf(name)}: ${this.lesson.nameOf(name.at)}`).join("; "),
-                said: correct ? undefined : this.lesson.say("score", right, this.dragged.length) });
+    this.done({
+      correct,
+      response: this.dragged.map((name) => `${this.wordsOf(name)}: ${this.lesson.nameOf(name.at)}`).join("; "),
+      said: correct ? undefined : this.lesson.say("score", right, this.dragged.length),
+    });
   }
 }

@@ -17,9 +17,7 @@ export function make(tag, traits = {}, ...inside) {
     else if (value === true) element.setAttribute(name, "");
     else if (value !== false && value !== undefined) element.setAttribute(name, String(value));
   }
-  for (const part of inside)
-    if (part !== null && part !== undefined)
-      element.append(part);
+  for (const part of inside) if (part !== null && part !== undefined) element.append(part);
   return element;
 }
 
@@ -70,8 +68,11 @@ export function icon(name) {
  * @param {{[name: string]: string | boolean}} [traits]
  */
 export function iconButton(name, words, act, traits = {}) {
-  return make("button", { type: "button", class: "icon-button", title: words, "aria-label": words,
-                          click: act, ...traits }, icon(name));
+  return make(
+    "button",
+    { type: "button", class: "icon-button", title: words, "aria-label": words, click: act, ...traits },
+    icon(name),
+  );
 }
 
 /**

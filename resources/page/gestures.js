@@ -145,8 +145,7 @@ export class Gestures {
     else if (side) stage.move((engine) => engine.direction(side[0]), false);
     else if (event.key === "+" || event.key === "=") stage.zoomMiddle(1.15);
     else if (event.key === "-") stage.zoomMiddle(1 / 1.15);
-    else if (event.key === "," || event.key === ".")
-      stage.move((engine) => engine.roll(event.key === "," ? -5 : 5));
+    else if (event.key === "," || event.key === ".") stage.move((engine) => engine.roll(event.key === "," ? -5 : 5));
     else if (event.key === "Home") stage.fit([]);
     else return false;
     return true;

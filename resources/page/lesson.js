@@ -119,8 +119,7 @@ export class Lesson {
   /** Groups that hold the node, the nearest first. @param {number} id */
   groupsOf(id) {
     const groups = [];
-    for (let node = this.nodes.get(id); node && node.parent && groups.length < 100;
-         node = this.nodes.get(node.parent))
+    for (let node = this.nodes.get(id); node && node.parent && groups.length < 100; node = this.nodes.get(node.parent))
       groups.push(node.parent);
     return groups;
   }

@@ -18,8 +18,12 @@ function runElement(run, links) {
   if (run.italic) out = make("em", {}, out);
   if (run.raised) out = make("sup", {}, out);
   if (run.lowered) out = make("sub", {}, out);
-  const link = run.structure !== undefined ? links.toStructure(run.structure)
-             : run.view !== undefined ? links.toView(run.view) : undefined;
+  const link =
+    run.structure !== undefined
+      ? links.toStructure(run.structure)
+      : run.view !== undefined
+        ? links.toView(run.view)
+        : undefined;
   if (!link) return out;
   return make("a", { href: link, click: (event) => links.followed(event, link) }, out);
 }
@@ -43,7 +47,7 @@ export function linesElement(lines, language, links) {
       if (rest.some((run) => run.text.trim())) out.append(make("p", {}, ...inside));
       continue;
     }
-    if (!list) out.append(list = make("ul", {}));
+    if (!list) out.append((list = make("ul", {})));
     list.append(make("li", {}, ...inside));
   }
   return out;

@@ -34,8 +34,7 @@ export class Links {
     if (/^\d+$/.test(words) && lesson.nodes.has(Number(words))) return Number(words);
     const wanted = normalised(words);
     if (!wanted) return undefined;
-    return lesson.facts.nodes.find((node) =>
-      Object.values(node.names).some((name) => normalised(name) === wanted))?.id;
+    return lesson.facts.nodes.find((node) => Object.values(node.names).some((name) => normalised(name) === wanted))?.id;
   }
 
   /** @param {string} hash @returns {boolean} whether it led anywhere */
@@ -48,8 +47,10 @@ export class Links {
     const view = Number(wanted.get("view"));
     const goes = Number.isInteger(view) && view > 0 && view <= this.lesson.facts.views.length;
     if (goes && view !== this.lesson.view) this.goTo(view, atOnce);
-    const structures = (wanted.get("structure") ?? "").split(",")
-      .map((words) => this.structureOf(words)).filter((id) => id !== undefined);
+    const structures = (wanted.get("structure") ?? "")
+      .split(",")
+      .map((words) => this.structureOf(words))
+      .filter((id) => id !== undefined);
     if (structures.length) this.lesson.choose(structures);
     return goes || structures.length > 0;
   }

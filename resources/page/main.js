@@ -82,7 +82,9 @@ class Page {
       make("main", { class: "plate" }, this.stage.element, this.status, this.toolbar.element),
       make("div", { class: "side" }, structures?.section, this.card.element),
       ...this.panels.parts.filter((part) => part !== structures).map((part) => part.section),
-      make("div", { id: "live", class: "unseen", "aria-live": "polite" }), this.about.element);
+      make("div", { id: "live", class: "unseen", "aria-live": "polite" }),
+      this.about.element,
+    );
     document.body.append(printed.element);
     const first = stills.querySelector("img");
     if (first) this.stage.element.append(make("img", { class: "first-picture", alt: "", src: first.src }));
@@ -113,15 +115,23 @@ class Page {
     document.documentElement.lang = lesson.tongue;
     document.documentElement.dir = directionOf(lesson.tongue);
     document.title = lesson.facts.title;
-    const language = make("select", { class: "language", "aria-label": lesson.say("language"),
-                                      change: () => lesson.speak(language.value) },
-                          ...lesson.languages.map((tag) =>
-                            make("option", { value: tag, lang: tag, selected: tag === lesson.language }, languageName(tag))));
+    const language = make(
+      "select",
+      { class: "language", "aria-label": lesson.say("language"), change: () => lesson.speak(language.value) },
+      ...lesson.languages.map((tag) =>
+        make("option", { value: tag, lang: tag, selected: tag === lesson.language }, languageName(tag)),
+      ),
+    );
     const held = this.head.querySelector("select") === document.activeElement;
     this.head.replaceChildren(
       inTwoLines(make("h1", { dir: "auto" }, lesson.facts.title)),
-      make("div", { class: "head-tools" }, lesson.languages.length > 1 ? language : null,
-           iconButton("about", lesson.say("about"), () => this.about.open())));
+      make(
+        "div",
+        { class: "head-tools" },
+        lesson.languages.length > 1 ? language : null,
+        iconButton("about", lesson.say("about"), () => this.about.open()),
+      ),
+    );
     if (held) language.focus();
   }
 
@@ -148,7 +158,8 @@ class Page {
   /** @param {KeyboardEvent} event @returns {boolean} whether the key meant something */
   key(event) {
     const { target, key } = event;
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || this.about.element.open) return false;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || this.about.element.open)
+      return false;
     const { lesson, stage } = this;
     if (target instanceof Element && target.matches("input:not([type=range]), select, textarea")) return false;
     if (key === "PageDown" || key === "PageUp") return this.tour.go(key === "PageDown" ? 1 : -1);
@@ -212,16 +223,22 @@ class Page {
 
   tellLost() {
     const { lesson } = this;
-    this.status.replaceChildren(lesson.say("lost"), " ",
-                                make("button", { type: "button", class: "quiet-button", click: () => location.reload() },
-                                     lesson.say("reload")));
+    this.status.replaceChildren(
+      lesson.say("lost"),
+      " ",
+      make("button", { type: "button", class: "quiet-button", click: () => location.reload() }, lesson.say("reload")),
+    );
   }
 
   /** Shows still pictures and why. @param {unknown} error */
   showStills(error) {
     const { lesson } = this;
-    const reason = error instanceof PageError ? lesson.say(error.key, ...error.parts)
-                 : error instanceof Error ? error.message : String(error);
+    const reason =
+      error instanceof PageError
+        ? lesson.say(error.key, ...error.parts)
+        : error instanceof Error
+          ? error.message
+          : String(error);
     if (document.getElementById("app")?.querySelector(".first-picture") === null && this.stage.engine) {
       this.status.textContent = reason;
       return;
@@ -238,8 +255,9 @@ function showStills(what, why) {
   if (app) app.hidden = true;
   if (!stills) return;
   stills.hidden = false;
-  stills.querySelector("h1")?.after(
-    make("p", { class: "notice", role: "alert" }, what, make("span", { class: "reason" }, ` ${why}`)));
+  stills
+    .querySelector("h1")
+    ?.after(make("p", { class: "notice", role: "alert" }, what, make("span", { class: "reason" }, ` ${why}`)));
 }
 
 /** Starts the page; what it cannot do it says. @param {PageParts} parts */

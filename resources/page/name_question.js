@@ -19,8 +19,15 @@ export class NameQuestion extends Question {
    */
   constructor(lesson, stage, facts, done) {
     super(lesson, stage, facts, done);
-    this.field = make("input", { type: "text", class: "typed", autocomplete: "off", autocapitalize: "off",
-                                 spellcheck: "false", enterkeyhint: "done", maxlength: 200 });
+    this.field = make("input", {
+      type: "text",
+      class: "typed",
+      autocomplete: "off",
+      autocapitalize: "off",
+      spellcheck: "false",
+      enterkeyhint: "done",
+      maxlength: 200,
+    });
   }
 
   prompt() {
@@ -40,8 +47,13 @@ export class NameQuestion extends Question {
     this.field.setAttribute("aria-label", lesson.say("yourAnswer"));
     this.field.placeholder = lesson.say("yourAnswer");
     this.element.replaceChildren(
-      make("form", { class: "typing", submit: (event) => this.submitted(event) }, this.field,
-           make("button", { type: "submit", class: "plain-button" }, lesson.say("answer"))));
+      make(
+        "form",
+        { class: "typing", submit: (event) => this.submitted(event) },
+        this.field,
+        make("button", { type: "submit", class: "plain-button" }, lesson.say("answer")),
+      ),
+    );
   }
 
   /** @param {Event} event */
@@ -53,8 +65,11 @@ export class NameQuestion extends Question {
     const own = new Set(this.facts.answers);
     const others = quiz.questions.flatMap((question) => question.answers.filter((hash) => !own.has(hash)));
     const verdict = judged(typed, { answers: this.facts.answers, others, salt: quiz.salt });
-    this.done({ correct: verdict !== "wrong", response: typed,
-                said: verdict === "nearly" ? this.lesson.say("nearlyRight") : undefined });
+    this.done({
+      correct: verdict !== "wrong",
+      response: typed,
+      said: verdict === "nearly" ? this.lesson.say("nearlyRight") : undefined,
+    });
   }
 
   further() {

@@ -56,11 +56,18 @@ export class OrderQuestion extends Question {
     const { lesson, path } = this;
     this.check.disabled = path.length !== this.facts.structures.length;
     this.list.replaceChildren(...path.map((structure, place) => this.step(structure, place)));
-    this.chips.replaceChildren(...(this.shown ? [] : this.pool)
-      .map((place) => this.facts.structures[place])
-      .filter((structure) => !path.includes(structure))
-      .map((structure) => make("button", { type: "button", class: "chip", click: () => this.add(structure) },
-                               this.nameElement(structure))));
+    this.chips.replaceChildren(
+      ...(this.shown ? [] : this.pool)
+        .map((place) => this.facts.structures[place])
+        .filter((structure) => !path.includes(structure))
+        .map((structure) =>
+          make(
+            "button",
+            { type: "button", class: "chip", click: () => this.add(structure) },
+            this.nameElement(structure),
+          ),
+        ),
+    );
     this.stage.engine?.select(lesson.allStructuresIn(path));
     this.stage.redraw();
   }
@@ -70,14 +77,22 @@ export class OrderQuestion extends Question {
     const { lesson } = this;
     const name = this.nameElement(structure);
     const words = name.textContent ?? "";
-    const earlier = iconButton("up", lesson.say("earlier", words), () => this.swap(place, place - 1),
-                               { "data-move": `up ${structure}` });
-    const later = iconButton("down", lesson.say("later", words), () => this.swap(place, place + 1),
-                             { "data-move": `down ${structure}` });
+    const earlier = iconButton("up", lesson.say("earlier", words), () => this.swap(place, place - 1), {
+      "data-move": `up ${structure}`,
+    });
+    const later = iconButton("down", lesson.say("later", words), () => this.swap(place, place + 1), {
+      "data-move": `down ${structure}`,
+    });
     earlier.disabled = place === 0;
     later.disabled = place === this.path.length - 1;
-    return make("li", {}, make("span", { class: "step-name" }, name), earlier, later,
-                iconButton("close", `${lesson.say("clear")}: ${words}`, () => this.remove(structure)));
+    return make(
+      "li",
+      {},
+      make("span", { class: "step-name" }, name),
+      earlier,
+      later,
+      iconButton("close", `${lesson.say("clear")}: ${words}`, () => this.remove(structure)),
+    );
   }
 
   /** @param {number} structure */
@@ -103,8 +118,9 @@ export class OrderQuestion extends Question {
     [this.path[a], this.path[b]] = [this.path[b], this.path[a]];
     this.show();
     const way = b < a ? "up" : "down";
-    const moved = [...this.list.querySelectorAll("button")].filter((button) =>
-      button.getAttribute("data-move")?.endsWith(` ${structure}`) && !button.disabled);
+    const moved = [...this.list.querySelectorAll("button")].filter(
+      (button) => button.getAttribute("data-move")?.endsWith(` ${structure}`) && !button.disabled,
+    );
     (moved.find((button) => button.getAttribute("data-move")?.startsWith(way)) ?? moved[0])?.focus();
   }
 
@@ -117,7 +133,10 @@ export class OrderQuestion extends Question {
     const { lesson } = this;
     const correct = this.path.every((structure, place) => structure === this.facts.structures[place]);
     const names = this.facts.structures.map((structure) => this.nameElement(structure).textContent);
-    this.done({ correct, response: this.path.map((structure) => this.nameElement(structure).textContent).join(", "),
-                said: correct || lesson.nameless ? undefined : lesson.say("itIs", names.join(", ")) });
+    this.done({
+      correct,
+      response: this.path.map((structure) => this.nameElement(structure).textContent).join(", "),
+      said: correct || lesson.nameless ? undefined : lesson.say("itIs", names.join(", ")),
+    });
   }
 }

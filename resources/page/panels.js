@@ -21,8 +21,12 @@ export class Panels {
     this.nav = make("nav", { class: "panel-nav" });
     this.parts = panels.map(({ name, inside, icon: drawing }) => {
       const words = make("span", {});
-      const button = make("button", { type: "button", "aria-controls": name, class: "panel-button",
-                                      click: () => this.toggle(name) }, icon(drawing), words);
+      const button = make(
+        "button",
+        { type: "button", "aria-controls": name, class: "panel-button", click: () => this.toggle(name) },
+        icon(drawing),
+        words,
+      );
       const title = make("h2", { class: "unseen" });
       const section = make("section", { id: name, class: `panel ${name}` }, title, inside);
       this.nav.append(button);
@@ -59,8 +63,7 @@ export class Panels {
     if (!this.has(name)) return;
     const beside = this.wide.matches && name === "structures" ? ["structures", "tour"] : [name];
     const kept = this.wide.matches && name === "tour" ? ["structures", "tour"] : beside;
-    for (const other of [...this.open])
-      if (!kept.includes(other)) this.open.delete(other);
+    for (const other of [...this.open]) if (!kept.includes(other)) this.open.delete(other);
     this.open.add(name);
     this.show();
   }

@@ -24,10 +24,13 @@ export class PrintedPage {
     const view = lesson.asking ? undefined : lesson.facts.views[lesson.view - 1];
     const words = lesson.pick(view?.words);
     this.element.replaceChildren(
-      make("h1", { dir: "auto" }, lesson.facts.title), this.picture(),
-      view ? lesson.wordsElement(view.title, "h2") : "", this.key() ?? "",
+      make("h1", { dir: "auto" }, lesson.facts.title),
+      this.picture(),
+      view ? lesson.wordsElement(view.title, "h2") : "",
+      this.key() ?? "",
       words ? linesElement(words.words, words.language, this.links) : "",
-      ...lesson.facts.credits.map((credit) => make("p", { class: "small", dir: "auto" }, credit)));
+      ...lesson.facts.credits.map((credit) => make("p", { class: "small", dir: "auto" }, credit)),
+    );
   }
 
   /** A copy, as a browser forgets what WebGL drew once it has shown it. */
@@ -50,7 +53,10 @@ export class PrintedPage {
     const texts = lesson.labelTexts();
     const rows = new Map(lesson.placed.map((placed) => [placed.number, texts[placed.id]?.join(" ") ?? ""]));
     const sorted = [...rows].sort(([a], [b]) => a - b);
-    return make("ol", { class: "printed-key", "aria-label": lesson.say("key") },
-                ...sorted.map(([number, words]) => make("li", { value: number, dir: "auto" }, words)));
+    return make(
+      "ol",
+      { class: "printed-key", "aria-label": lesson.say("key") },
+      ...sorted.map(([number, words]) => make("li", { value: number, dir: "auto" }, words)),
+    );
   }
 }

@@ -60,8 +60,12 @@ export class Question {
   /** Labels that are shown while it is asked. @returns {LabelMode} */
   labelMode() {
     return this.numbered
-      ? { show: true, numbers: true, texts: this.lesson.labelTexts(), ...this.fewLabels
-        ? { only: this.facts.labels } : { seen: this.lesson.facts.labelsFound } }
+      ? {
+          show: true,
+          numbers: true,
+          texts: this.lesson.labelTexts(),
+          ...(this.fewLabels ? { only: this.facts.labels } : { seen: this.lesson.facts.labelsFound }),
+        }
       : { show: false, texts: {} };
   }
 
@@ -79,8 +83,11 @@ export class Question {
   clicked(structure) {
     const correct = this.names(structure);
     const response = this.lesson.nameOf(structure);
-    this.done({ correct, response,
-                said: correct || this.lesson.nameless ? undefined : this.lesson.say("thatWas", response) });
+    this.done({
+      correct,
+      response,
+      said: correct || this.lesson.nameless ? undefined : this.lesson.say("thatWas", response),
+    });
   }
 
   /** Whether the structure is asked for or lies in what is. @param {number} structure */
@@ -90,9 +97,16 @@ export class Question {
 
   /** For who cannot point: labels become numbers. */
   numberSwitch() {
-    return make("button", { type: "button", class: "quiet-button", "aria-pressed": String(this.numbered),
-                            click: (event) => this.switchNumbers(event.currentTarget) },
-                this.lesson.say("byNumber"));
+    return make(
+      "button",
+      {
+        type: "button",
+        class: "quiet-button",
+        "aria-pressed": String(this.numbered),
+        click: (event) => this.switchNumbers(event.currentTarget),
+      },
+      this.lesson.say("byNumber"),
+    );
   }
 
   /** @param {HTMLElement} button */
@@ -121,10 +135,18 @@ export class Question {
       const label = this.lesson.facts.labels.find((one) => one.id === placed.id);
       if (!label?.structures.length || seen.has(placed.number)) continue;
       seen.add(placed.number);
-      this.numbers.append(make("button", { type: "button", class: "number",
-                                           "aria-label": this.lesson.say("number", placed.number),
-                                           click: () => this.clicked(label.structures[0]) },
-                               String(placed.number)));
+      this.numbers.append(
+        make(
+          "button",
+          {
+            type: "button",
+            class: "number",
+            "aria-label": this.lesson.say("number", placed.number),
+            click: () => this.clicked(label.structures[0]),
+          },
+          String(placed.number),
+        ),
+      );
     }
   }
 }

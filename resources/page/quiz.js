@@ -16,8 +16,13 @@ import { Question, shuffled } from "./question.js";
 /** @import { CreateReporter } from "./reporter.d.ts" */
 /** @import { Stage } from "./stage.js" */
 
-const questionKinds = { find: Question, name: NameQuestion, choose: ChoiceQuestion,
-                        order: OrderQuestion, drag: DragQuestion };
+const questionKinds = {
+  find: Question,
+  name: NameQuestion,
+  choose: ChoiceQuestion,
+  order: OrderQuestion,
+  drag: DragQuestion,
+};
 
 export class Quiz {
   /** @param {Lesson} lesson @param {Stage} stage @param {Flight} flight @param {CreateReporter} createReporter */
@@ -87,22 +92,40 @@ export class Quiz {
   readyPage() {
     const { lesson, questions, answered } = this;
     const count = questions.length;
-    const said = [count === 1 ? lesson.say("oneQuestion") : lesson.say("questions", count),
-                  lesson.say(lesson.facts.quiz.counts ? "countsText" : "practice")];
+    const said = [
+      count === 1 ? lesson.say("oneQuestion") : lesson.say("questions", count),
+      lesson.say(lesson.facts.quiz.counts ? "countsText" : "practice"),
+    ];
     if (answered.size) said.push(lesson.say("resumed", answered.size));
-    return [make("div", { class: "opening" }, ...said.map((words) => make("p", {}, words)), this.rounds(),
-                 make("button", { type: "button", class: "plain-button", click: () => this.begin() },
-                      lesson.say("start"), icon("on")))];
+    return [
+      make(
+        "div",
+        { class: "opening" },
+        ...said.map((words) => make("p", {}, words)),
+        this.rounds(),
+        make(
+          "button",
+          { type: "button", class: "plain-button", click: () => this.begin() },
+          lesson.say("start"),
+          icon("on"),
+        ),
+      ),
+    ];
   }
 
   /** Who practises may take some of many questions. */
   rounds() {
     const count = this.questions.length;
     const sizes = [10, 20, 50].filter((size) => size < count);
-    this.size = make("select", {}, ...sizes.map((size) => make("option", { value: size }, String(size))),
-                     make("option", { value: count }, this.lesson.say("all", count)));
+    this.size = make(
+      "select",
+      {},
+      ...sizes.map((size) => make("option", { value: size }, String(size))),
+      make("option", { value: count }, this.lesson.say("all", count)),
+    );
     return this.repeats && sizes.length
-      ? make("label", { class: "round" }, this.lesson.say("howMany"), " ", this.size) : null;
+      ? make("label", { class: "round" }, this.lesson.say("howMany"), " ", this.size)
+      : null;
   }
 
   async begin() {
@@ -156,14 +179,25 @@ export class Quiz {
     if (!question) return [];
     const subject = question.subject();
     const count = lesson.say("questionOf", this.at + 1, this.asked.length);
-    const prompt = make("div", { class: "prompt", tabindex: "-1" },
-                        make("p", { class: "count" }, count), make("h2", {}, question.prompt()),
-                        subject ? make("p", { class: "subject" }, subject) : null);
+    const prompt = make(
+      "div",
+      { class: "prompt", tabindex: "-1" },
+      make("p", { class: "count" }, count),
+      make("h2", {}, question.prompt()),
+      subject ? make("p", { class: "subject" }, subject) : null,
+    );
     if (outcome) return [prompt, this.verdict(outcome)];
-    const foot = make("div", { class: "question-foot" },
-                      make("button", { type: "button", class: "quiet-button",
-                                       click: () => this.take({ correct: false, response: "" }) },
-                           lesson.say("unknown")), question.further(), this.surroundings(question));
+    const foot = make(
+      "div",
+      { class: "question-foot" },
+      make(
+        "button",
+        { type: "button", class: "quiet-button", click: () => this.take({ correct: false, response: "" }) },
+        lesson.say("unknown"),
+      ),
+      question.further(),
+      this.surroundings(question),
+    );
     return [prompt, question.element, foot];
   }
 
@@ -185,17 +219,30 @@ export class Quiz {
     const { lesson, question } = this;
     const facts = question?.facts;
     const said = outcome.said ? [outcome.said] : [];
-    const names = facts && !lesson.nameless && facts.kind !== "order" && facts.kind !== "drag" && facts.kind !== "find"
-      ? lesson.pick(facts.words)?.words : undefined;
+    const names =
+      facts && !lesson.nameless && facts.kind !== "order" && facts.kind !== "drag" && facts.kind !== "find"
+        ? lesson.pick(facts.words)?.words
+        : undefined;
     if (names) said.push(lesson.say("itIs", names));
     if (facts?.kind === "find" && !outcome.correct) said.push(lesson.say("markedNow"));
     const last = this.asked.every((one) => this.answered.has(one.id));
-    return make("div", { class: outcome.correct ? "verdict right" : "verdict wrong" },
-                make("p", { class: "verdict-word" }, icon(outcome.correct ? "right" : "wrong"),
-                     lesson.say(outcome.correct ? "rightAnswer" : "wrongAnswer")),
-                ...said.map((words) => make("p", {}, words)),
-                make("button", { type: "button", class: "plain-button on", click: () => this.next() },
-                     lesson.say(last ? "finish" : "next"), icon("on")));
+    return make(
+      "div",
+      { class: outcome.correct ? "verdict right" : "verdict wrong" },
+      make(
+        "p",
+        { class: "verdict-word" },
+        icon(outcome.correct ? "right" : "wrong"),
+        lesson.say(outcome.correct ? "rightAnswer" : "wrongAnswer"),
+      ),
+      ...said.map((words) => make("p", {}, words)),
+      make(
+        "button",
+        { type: "button", class: "plain-button on", click: () => this.next() },
+        lesson.say(last ? "finish" : "next"),
+        icon("on"),
+      ),
+    );
   }
 
   /** Takes the answer; it is the only one. @param {Outcome} outcome */
@@ -206,11 +253,17 @@ export class Quiz {
     this.state = "told";
     this.outcome = outcome;
     this.answered.set(facts.id, outcome.correct);
-    this.reporter.answer({ id: facts.id, kind: facts.kind, response: outcome.response, correct: outcome.correct,
-                           words: lesson.nameless ? question.prompt() : lesson.pick(facts.words)?.words ?? question.prompt(),
-                           seconds: (performance.now() - this.began) / 1000 });
-    stage.askedLabels = lesson.nameless ? { show: false, texts: {} }
-                                        : { show: true, only: facts.labels, texts: lesson.labelTexts() };
+    this.reporter.answer({
+      id: facts.id,
+      kind: facts.kind,
+      response: outcome.response,
+      correct: outcome.correct,
+      words: lesson.nameless ? question.prompt() : (lesson.pick(facts.words)?.words ?? question.prompt()),
+      seconds: (performance.now() - this.began) / 1000,
+    });
+    stage.askedLabels = lesson.nameless
+      ? { show: false, texts: {} }
+      : { show: true, only: facts.labels, texts: lesson.labelTexts() };
     lesson.choose(facts.structures);
     lesson.tell({ type: "quiz" });
     stage.showChosen();
@@ -239,16 +292,22 @@ export class Quiz {
     const items = asked.map((question) => {
       const right = this.answered.get(question.id) === true;
       const words = question.kind === "drag" ? undefined : lesson.pick(question.words);
-      return make("li", { class: right ? "right" : "wrong" }, icon(right ? "right" : "wrong"),
-                  unseen(lesson.say(right ? "rightAnswer" : "wrongAnswer")),
-                  make("span", { lang: words?.language, dir: "auto" },
-                       words?.words ?? this.briefPrompt(question)));
+      return make(
+        "li",
+        { class: right ? "right" : "wrong" },
+        icon(right ? "right" : "wrong"),
+        unseen(lesson.say(right ? "rightAnswer" : "wrongAnswer")),
+        make("span", { lang: words?.language, dir: "auto" }, words?.words ?? this.briefPrompt(question)),
+      );
     });
     const again = this.repeats
       ? make("button", { type: "button", class: "plain-button", click: () => this.again() }, lesson.say("again"))
       : "";
-    return [make("p", { class: "score", tabindex: "-1" }, lesson.say("score", this.right, asked.length)),
-            make("ol", { class: "results" }, ...items), again];
+    return [
+      make("p", { class: "score", tabindex: "-1" }, lesson.say("score", this.right, asked.length)),
+      make("ol", { class: "results" }, ...items),
+      again,
+    ];
   }
 
   /** @param {QuestionFacts} question */

@@ -119,8 +119,11 @@ export class Cmi5Reporter {
   }
 
   headers() {
-    return { "Authorization": `Basic ${this.token}`, "X-Experience-API-Version": "1.0.3",
-             "Content-Type": "application/json" };
+    return {
+      Authorization: `Basic ${this.token}`,
+      "X-Experience-API-Version": "1.0.3",
+      "Content-Type": "application/json",
+    };
   }
 
   /**
@@ -136,8 +139,12 @@ export class Cmi5Reporter {
 
   /** @param {string} id */
   stateUrl(id) {
-    const query = new URLSearchParams({ activityId: this.activity, agent: JSON.stringify(this.actor),
-                                        registration: this.registration, stateId: id });
+    const query = new URLSearchParams({
+      activityId: this.activity,
+      agent: JSON.stringify(this.actor),
+      registration: this.registration,
+      stateId: id,
+    });
     return `${this.endpoint}activities/state?${query}`;
   }
 
@@ -164,16 +171,25 @@ export class Cmi5Reporter {
     if (["answered", "scored"].includes(verb)) return context;
     const activities = (context.contextActivities ??= {});
     const moves = ["completed", "passed", "failed"].includes(verb);
-    activities.category = [...(activities.category ?? []), { id: cmi5Categories + "cmi5" },
-                           ...(moves ? [{ id: cmi5Categories + "moveon" }] : [])];
+    activities.category = [
+      ...(activities.category ?? []),
+      { id: cmi5Categories + "cmi5" },
+      ...(moves ? [{ id: cmi5Categories + "moveon" }] : []),
+    ];
     return context;
   }
 
   /** @param {Cmi5Verb} verb @param {{object?: object, result?: object}} more */
   statement(verb, more) {
-    return { id: randomUuid(), timestamp: new Date().toISOString(), actor: this.actor,
-             verb: { id: cmi5Verbs[verb], display: { "en": verb } },
-             object: { objectType: "Activity", id: this.activity }, verbName: verb, ...more };
+    return {
+      id: randomUuid(),
+      timestamp: new Date().toISOString(),
+      actor: this.actor,
+      verb: { id: cmi5Verbs[verb], display: { en: verb } },
+      object: { objectType: "Activity", id: this.activity },
+      verbName: verb,
+      ...more,
+    };
   }
 
   /** @param {Cmi5Verb} verb @param {{object?: object, result?: object}} more */
@@ -188,10 +204,15 @@ export class Cmi5Reporter {
     if (!this.launched || this.answered.has(answer.id)) return;
     this.answered.set(answer.id, answer.correct);
     this.say("answered", {
-      object: { objectType: "Activity", id: `${this.activity}#${encodeURIComponent(answer.id)}`,
-                definition: { type: "http://adlnet.gov/expapi/activities/cmi.interaction",
-                              interactionType: cmi5Types[answer.kind] ?? "other",
-                              name: { "und": answer.words } } },
+      object: {
+        objectType: "Activity",
+        id: `${this.activity}#${encodeURIComponent(answer.id)}`,
+        definition: {
+          type: "http://adlnet.gov/expapi/activities/cmi.interaction",
+          interactionType: cmi5Types[answer.kind] ?? "other",
+          name: { und: answer.words },
+        },
+      },
       result: { success: answer.correct, response: answer.response, duration: isoTime(answer.seconds) },
     });
     this.keepState();
@@ -238,24 +259,37 @@ export class Cmi5Reporter {
     const count = jobs.length;
     if (!this.ready) await this.prepare();
     const waiting = jobs.slice(0, count);
-    const statements = waiting.flatMap((job) => job.statement && this.isWanted(job.statement)
-      ? [this.completed(job.statement)] : []);
-    const state = waiting.map((job) => job.state).filter(Boolean).pop();
+    const statements = waiting.flatMap((job) =>
+      job.statement && this.isWanted(job.statement) ? [this.completed(job.statement)] : [],
+    );
+    const state = waiting
+      .map((job) => job.state)
+      .filter(Boolean)
+      .pop();
     const sent = [];
-    if (statements.length)
-      sent.push(this.sendStatements(statements));
+    if (statements.length) sent.push(this.sendStatements(statements));
     if (state && !this.silent)
-      sent.push(this.fetched(this.stateUrl("sline"), { method: "PUT", keepalive: this.left, headers: this.headers(),
-                                                       body: JSON.stringify(state) }));
+      sent.push(
+        this.fetched(this.stateUrl("sline"), {
+          method: "PUT",
+          keepalive: this.left,
+          headers: this.headers(),
+          body: JSON.stringify(state),
+        }),
+      );
     await Promise.all(sent);
     return count;
   }
 
   /** @param {Statement[]} statements */
   async sendStatements(statements) {
-    const response = await fetch(`${this.endpoint}statements`,
-                                 { credentials: "omit", method: "POST", keepalive: this.left, headers: this.headers(),
-                                   body: JSON.stringify(statements) });
+    const response = await fetch(`${this.endpoint}statements`, {
+      credentials: "omit",
+      method: "POST",
+      keepalive: this.left,
+      headers: this.headers(),
+      body: JSON.stringify(statements),
+    });
     // 409: one of them is there already.
     if (response.status === 409 && statements.length > 1)
       for (const statement of statements) await this.sendStatements([statement]);

@@ -49,11 +49,13 @@ export class DeliveryQueue {
       return;
     }
     this.busy = true;
-    arrived.catch(() => 0).then((count) => {
-      this.busy = false;
-      this.settle(count);
-      if (count && this.jobs.length) this.flush();
-    });
+    arrived
+      .catch(() => 0)
+      .then((count) => {
+        this.busy = false;
+        this.settle(count);
+        if (count && this.jobs.length) this.flush();
+      });
   }
 
   /** @param {number} arrived */

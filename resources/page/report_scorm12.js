@@ -57,8 +57,10 @@ export class Scorm12Reporter extends ScormReporter {
     this.set("cmi.core.session_time", clockTime(this.seconds()));
     if (ended) {
       const mastery = Number.parseFloat(this.get("cmi.student_data.mastery_score"));
-      this.set("cmi.core.lesson_status",
-               Number.isNaN(mastery) ? "completed" : 100 * share >= mastery ? "passed" : "failed");
+      this.set(
+        "cmi.core.lesson_status",
+        Number.isNaN(mastery) ? "completed" : 100 * share >= mastery ? "passed" : "failed",
+      );
       this.set("cmi.core.exit", "");
     }
     return this.set("cmi.suspend_data", suspendedText(this.answered, 4096)) || told;

@@ -62,8 +62,7 @@ export class Scorm2004Reporter extends ScormReporter {
     if (ended) {
       const passing = Number.parseFloat(this.get("cmi.scaled_passing_score"));
       this.set("cmi.completion_status", "completed");
-      if (!Number.isNaN(passing))
-        this.set("cmi.success_status", share >= passing ? "passed" : "failed");
+      if (!Number.isNaN(passing)) this.set("cmi.success_status", share >= passing ? "passed" : "failed");
       this.set("cmi.exit", "normal");
     }
     return this.set("cmi.suspend_data", suspendedText(this.answered, 4000)) || told;

@@ -7,8 +7,14 @@ import { make } from "./elements.js";
 /** @import { Lesson } from "./lesson.js" */
 
 /** The names of the anatomical views, with their keys. @type {[Direction, string][]} */
-export const directions = [["anterior", "A"], ["posterior", "P"], ["left", "L"], ["right", "R"],
-                    ["superior", "S"], ["inferior", "I"]];
+export const directions = [
+  ["anterior", "A"],
+  ["posterior", "P"],
+  ["left", "L"],
+  ["right", "R"],
+  ["superior", "S"],
+  ["inferior", "I"],
+];
 
 /** Milliseconds without a move after which everything is drawn. */
 const restAfter = 140;
@@ -25,9 +31,14 @@ export class Stage {
     this.overlay.setAttribute("aria-hidden", "true");
     this.words = make("p", { id: "scene-words", class: "unseen" });
     this.hint = make("div", { class: "hint", hidden: true });
-    this.element = make("div", { class: "stage", id: "stage", tabindex: "0", role: "application",
-                                 "aria-describedby": "scene-words" },
-                        this.canvas, this.overlay, this.words, this.hint);
+    this.element = make(
+      "div",
+      { class: "stage", id: "stage", tabindex: "0", role: "application", "aria-describedby": "scene-words" },
+      this.canvas,
+      this.overlay,
+      this.words,
+      this.hint,
+    );
     /** A quiz may hold the camera or the look. */
     this.cameraHeld = false;
     this.lookHeld = false;
@@ -86,7 +97,7 @@ export class Stage {
     const { lesson } = this;
     const view = lesson.facts.views[lesson.view - 1];
     const alt = lesson.pick(view?.alt) ?? lesson.pick(lesson.facts.alt);
-    this.words.textContent = lesson.asking || lesson.nameless ? "" : alt?.words ?? "";
+    this.words.textContent = lesson.asking || lesson.nameless ? "" : (alt?.words ?? "");
     this.words.lang = alt?.language ?? "";
     this.element.setAttribute("aria-label", lesson.facts.title || lesson.say("drawing"));
     this.element.setAttribute("aria-roledescription", lesson.say("drawing"));
@@ -142,8 +153,12 @@ export class Stage {
     const { labels, asking, nameless } = this.lesson;
     const texts = asking ? {} : this.lesson.labelTexts();
     const { labelsFound, sideless } = this.lesson.facts;
-    const chosen = this.askedLabels ??
-      { show: !asking && !nameless && labels !== "none", numbers: labels === "numbers", texts, seen: labelsFound };
+    const chosen = this.askedLabels ?? {
+      show: !asking && !nameless && labels !== "none",
+      numbers: labels === "numbers",
+      texts,
+      seen: labelsFound,
+    };
     this.engine?.labels({ ...chosen, sides: !sideless });
     this.redraw();
   }
@@ -159,7 +174,8 @@ export class Stage {
     const structures = this.lesson.structuresIn(id);
     if (!structures.length) return 0;
     const each = structures.map((structure) =>
-      this.engine ? this.engine.gamma(structure) : this.lesson.nodes.get(structure)?.gamma ?? 0);
+      this.engine ? this.engine.gamma(structure) : (this.lesson.nodes.get(structure)?.gamma ?? 0),
+    );
     return each.reduce((sum, gamma) => sum + gamma, 0) / structures.length;
   }
 
@@ -173,7 +189,8 @@ export class Stage {
   shownShare(id) {
     const structures = this.lesson.structuresIn(id);
     const shown = structures.filter((structure) =>
-      this.engine ? this.engine.visible(structure) : this.lesson.nodes.get(structure)?.visible);
+      this.engine ? this.engine.visible(structure) : this.lesson.nodes.get(structure)?.visible,
+    );
     return structures.length ? shown.length / structures.length : 0;
   }
 
@@ -182,7 +199,10 @@ export class Stage {
     const wanted = new Set(this.lesson.allStructuresIn(ids));
     const others = this.lesson.facts.nodes.filter((node) => !node.group && !wanted.has(node.id));
     this.dress((engine) => {
-      engine.setVisible(others.map((node) => node.id), false);
+      engine.setVisible(
+        others.map((node) => node.id),
+        false,
+      );
       engine.setVisible([...wanted], true);
     });
   }

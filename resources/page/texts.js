@@ -4,6 +4,7 @@
 
 export const tongues = ["en", "de", "nl", "nb"];
 
+// prettier-ignore
 /** @type {{[key: string]: [string, string, string, string]}} */
 export const textTable = {
   structures: ["Structures", "Strukturen", "Structuren", "Strukturer"],

@@ -30,25 +30,48 @@ export class Toolbar {
     this.element.setAttribute("aria-label", lesson.say("viewTools"));
     this.title = inTwoLines(make("p", { class: "caption" }));
     this.sides = directions.map(([side, letter]) =>
-      make("button", { type: "button", class: "from", title: `${lesson.say("from")} ${lesson.say(side)}`,
-                       "aria-label": `${lesson.say("from")} ${lesson.say(side)}`,
-                       click: () => stage.move((engine) => engine.direction(side), false) }, letter));
+      make(
+        "button",
+        {
+          type: "button",
+          class: "from",
+          title: `${lesson.say("from")} ${lesson.say(side)}`,
+          "aria-label": `${lesson.say("from")} ${lesson.say(side)}`,
+          click: () => stage.move((engine) => engine.direction(side), false),
+        },
+        letter,
+      ),
+    );
     this.turned = make("option", { value: "", disabled: true }, lesson.say("turned"));
-    this.side = make("select", { class: "side-select", "aria-label": lesson.say("from"),
-                                 change: () => this.sideChosen() }, this.turned,
-                     ...directions.map(([side, letter]) =>
-                       make("option", { value: side }, `${letter}\u2003${lesson.say(side)}`)));
-    this.tools = [iconButton("fit", lesson.say("fit"), () => stage.fit([])),
-                  iconButton("minus", lesson.say("farther"), () => stage.zoomMiddle(1 / 1.3)),
-                  iconButton("plus", lesson.say("nearer"), () => stage.zoomMiddle(1.3))];
-    this.labels = make("select", { class: "label-select", "aria-label": lesson.say("labels"),
-                                   change: () => this.labelsChosen() },
-                       ...["names", "numbers", "none"].map((value) =>
-                         make("option", { value, selected: value === lesson.labels },
-                              lesson.say("label" + value[0].toUpperCase() + value.slice(1)))));
+    this.side = make(
+      "select",
+      { class: "side-select", "aria-label": lesson.say("from"), change: () => this.sideChosen() },
+      this.turned,
+      ...directions.map(([side, letter]) => make("option", { value: side }, `${letter}\u2003${lesson.say(side)}`)),
+    );
+    this.tools = [
+      iconButton("fit", lesson.say("fit"), () => stage.fit([])),
+      iconButton("minus", lesson.say("farther"), () => stage.zoomMiddle(1 / 1.3)),
+      iconButton("plus", lesson.say("nearer"), () => stage.zoomMiddle(1.3)),
+    ];
+    this.labels = make(
+      "select",
+      { class: "label-select", "aria-label": lesson.say("labels"), change: () => this.labelsChosen() },
+      ...["names", "numbers", "none"].map((value) =>
+        make(
+          "option",
+          { value, selected: value === lesson.labels },
+          lesson.say("label" + value[0].toUpperCase() + value.slice(1)),
+        ),
+      ),
+    );
     this.element.replaceChildren(
-      make("div", { class: "sides" }, ...this.sides), this.side,
-      make("div", { class: "zooms" }, ...this.tools), this.title, this.labels);
+      make("div", { class: "sides" }, ...this.sides),
+      this.side,
+      make("div", { class: "zooms" }, ...this.tools),
+      this.title,
+      this.labels,
+    );
     this.showFacing();
     this.showTitle();
     this.showHeld();
@@ -69,8 +92,7 @@ export class Toolbar {
     if (facing === this.facing && this.shown === this.side) return;
     this.facing = facing;
     this.shown = this.side;
-    directions.forEach(([, letter], i) =>
-      this.sides?.[i].setAttribute("aria-pressed", String(letter === facing)));
+    directions.forEach(([, letter], i) => this.sides?.[i].setAttribute("aria-pressed", String(letter === facing)));
     if (this.side) this.side.value = directions.find(([, letter]) => letter === facing)?.[0] ?? "";
   }
 
@@ -83,8 +105,7 @@ export class Toolbar {
   /** What a question holds cannot be used. */
   showHeld() {
     const held = this.stage.cameraHeld;
-    for (const tool of [...(this.sides ?? []), ...(this.tools ?? []), this.side])
-      if (tool) tool.disabled = held;
+    for (const tool of [...(this.sides ?? []), ...(this.tools ?? []), this.side]) if (tool) tool.disabled = held;
     if (this.labels) this.labels.hidden = this.lesson.asking || this.lesson.nameless;
   }
 }

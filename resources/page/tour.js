@@ -37,21 +37,30 @@ export class Tour {
   remake() {
     const { lesson } = this;
     const held = this.element.contains(document.activeElement)
-      ? document.activeElement?.getAttribute("data-step") : undefined;
+      ? document.activeElement?.getAttribute("data-step")
+      : undefined;
     const view = lesson.facts.views[lesson.view - 1];
     this.element.replaceChildren(...(view ? [this.steps(), this.text(view)] : [this.opening()]), this.contents());
     this.element.scrollTop = 0;
     if (held) {
-      const step = [...this.element.querySelectorAll("button")].find((one) =>
-        one.getAttribute("data-step") === held && !one.disabled);
+      const step = [...this.element.querySelectorAll("button")].find(
+        (one) => one.getAttribute("data-step") === held && !one.disabled,
+      );
       (step ?? this.element.querySelector("button"))?.focus();
     }
   }
 
   opening() {
-    return make("div", { class: "opening" },
-                make("button", { type: "button", class: "plain-button", click: () => this.go(1), "data-step": "1" },
-                     this.lesson.say("beginTour"), icon("on")));
+    return make(
+      "div",
+      { class: "opening" },
+      make(
+        "button",
+        { type: "button", class: "plain-button", click: () => this.go(1), "data-step": "1" },
+        this.lesson.say("beginTour"),
+        icon("on"),
+      ),
+    );
   }
 
   steps() {
@@ -60,8 +69,13 @@ export class Tour {
     const on = iconButton("on", lesson.say("next"), () => this.go(1), { "data-step": "1" });
     back.disabled = lesson.view <= 1;
     on.disabled = lesson.view >= this.count;
-    return make("div", { class: "steps" }, back,
-                make("span", { class: "count" }, lesson.say("viewOf", lesson.view, this.count)), on);
+    return make(
+      "div",
+      { class: "steps" },
+      back,
+      make("span", { class: "count" }, lesson.say("viewOf", lesson.view, this.count)),
+      on,
+    );
   }
 
   /** @param {ViewFacts} view */
@@ -70,19 +84,36 @@ export class Tour {
     const words = lesson.pick(view.words);
     const title = lesson.wordsElement(view.title, "h2");
     if (!title.textContent) title.textContent = lesson.say("view", lesson.view);
-    return make("article", { class: "view-text" }, title,
-                words ? linesElement(words.words, words.language, this.links) : null);
+    return make(
+      "article",
+      { class: "view-text" },
+      title,
+      words ? linesElement(words.words, words.language, this.links) : null,
+    );
   }
 
   contents() {
     const { lesson } = this;
     const items = lesson.facts.views.map((view, i) => {
       const title = lesson.pick(view.title)
-        ? lesson.wordsElement(view.title) : make("span", {}, lesson.say("view", i + 1));
-      return make("li", {}, make("button", { type: "button", class: "content", "data-step": `to ${i + 1}`,
-                                              "aria-current": lesson.view === i + 1 ? "step" : undefined,
-                                              click: () => this.flight.goTo(i + 1) },
-                                 make("span", { class: "content-number" }, String(i + 1)), title));
+        ? lesson.wordsElement(view.title)
+        : make("span", {}, lesson.say("view", i + 1));
+      return make(
+        "li",
+        {},
+        make(
+          "button",
+          {
+            type: "button",
+            class: "content",
+            "data-step": `to ${i + 1}`,
+            "aria-current": lesson.view === i + 1 ? "step" : undefined,
+            click: () => this.flight.goTo(i + 1),
+          },
+          make("span", { class: "content-number" }, String(i + 1)),
+          title,
+        ),
+      );
     });
     return make("nav", { class: "contents", "aria-label": lesson.say("contents") }, make("ol", {}, ...items));
   }

@@ -19,11 +19,22 @@ export class StructureTree {
     this.folded = new Set();
     this.typed = "";
     this.typedAt = 0;
-    this.filter = make("input", { type: "search", class: "filter", autocomplete: "off", spellcheck: "false",
-                                  input: () => this.showFiltered(), keydown: (event) => this.filterKey(event) });
+    this.filter = make("input", {
+      type: "search",
+      class: "filter",
+      autocomplete: "off",
+      spellcheck: "false",
+      input: () => this.showFiltered(),
+      keydown: (event) => this.filterKey(event),
+    });
     this.none = make("p", { class: "none-found", hidden: true });
-    this.list = make("ul", { role: "tree", class: "tree", "aria-multiselectable": "true",
-                             keydown: (event) => this.key(event), click: (event) => this.clicked(event) });
+    this.list = make("ul", {
+      role: "tree",
+      class: "tree",
+      "aria-multiselectable": "true",
+      keydown: (event) => this.key(event),
+      click: (event) => this.clicked(event),
+    });
     this.keys = make("p", { class: "unseen", id: "tree-keys" });
     this.list.setAttribute("aria-describedby", "tree-keys");
     this.element = make("div", { class: "tree-box" }, this.filter, this.none, this.keys, this.list);
@@ -42,8 +53,7 @@ export class StructureTree {
     this.keys.textContent = lesson.say("treeKeys");
     this.rows = new Map(lesson.facts.nodes.map((node) => [node.id, new TreeRow(lesson, this.stage, node)]));
     this.list.replaceChildren();
-    for (const row of this.rows.values())
-      (this.rows.get(row.node.parent)?.inside ?? this.list).append(row.element);
+    for (const row of this.rows.values()) (this.rows.get(row.node.parent)?.inside ?? this.list).append(row.element);
     this.showFiltered();
     this.showChosen();
     this.showLook();
@@ -65,8 +75,10 @@ export class StructureTree {
       if (node.group && wanted) for (const id of lesson.structuresIn(node.id)) kept.add(id);
     }
     for (const [id, row] of this.rows) {
-      row.element.hidden = wanted !== "" && !kept.has(id) && !lesson.groupsOf(id).some((group) =>
-        kept.has(group) && normalised(lesson.nameOf(group)).includes(wanted));
+      row.element.hidden =
+        wanted !== "" &&
+        !kept.has(id) &&
+        !lesson.groupsOf(id).some((group) => kept.has(group) && normalised(lesson.nameOf(group)).includes(wanted));
       if (row.inside) row.setOpen(wanted !== "" || !this.folded.has(id));
     }
     this.none.hidden = wanted === "" || kept.size > 0;
@@ -78,8 +90,9 @@ export class StructureTree {
 
   /** Rows that can be seen, from top to bottom. */
   shown() {
-    return [...this.rows.values()].filter((row) =>
-      !row.element.hidden && this.lesson.groupsOf(row.node.id).every((group) => this.rows.get(group)?.open));
+    return [...this.rows.values()].filter(
+      (row) => !row.element.hidden && this.lesson.groupsOf(row.node.id).every((group) => this.rows.get(group)?.open),
+    );
   }
 
   /** Where Tab enters the tree. @param {TreeRow | undefined} row */

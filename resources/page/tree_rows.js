@@ -27,24 +27,50 @@ export class TreeRow {
     this.number = make("span", { class: "row-number" });
     // Keys do on the row what these do, so that there is one stop of Tab for the tree.
     this.fold = node.group
-      ? make("button", { type: "button", class: "fold", tabindex: "-1", "aria-label": lesson.say("unfold", name) },
-             icon("open"))
+      ? make(
+          "button",
+          { type: "button", class: "fold", tabindex: "-1", "aria-label": lesson.say("unfold", name) },
+          icon("open"),
+        )
       : make("span", { class: "fold" });
-    this.eye = make("button", { type: "button", class: "eye", tabindex: "-1", "aria-label": lesson.say("show", name),
-                                click: () => this.toggle() });
-    this.slider = gammaSlider(lesson, lesson.say("gammaOf", name),
-                              (gamma, moving) => stage.setGamma([node.id], gamma, moving), { tabindex: "-1" });
+    this.eye = make("button", {
+      type: "button",
+      class: "eye",
+      tabindex: "-1",
+      "aria-label": lesson.say("show", name),
+      click: () => this.toggle(),
+    });
+    this.slider = gammaSlider(
+      lesson,
+      lesson.say("gammaOf", name),
+      (gamma, moving) => stage.setGamma([node.id], gamma, moving),
+      { tabindex: "-1" },
+    );
     const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
     swatch.style.setProperty("background-color", node.colour);
-    this.line = make("div", { class: "row" }, this.fold, this.eye,
-                     make("span", { class: "row-label", id: `row-${node.id}` }, swatch, this.name,
-                          this.number, this.state),
-                     this.slider);
+    this.line = make(
+      "div",
+      { class: "row" },
+      this.fold,
+      this.eye,
+      make("span", { class: "row-label", id: `row-${node.id}` }, swatch, this.name, this.number, this.state),
+      this.slider,
+    );
     this.line.style.setProperty("--level", String(this.level - 1));
     this.inside = node.group ? make("ul", { role: "group" }) : undefined;
-    this.element = make("li", { role: "treeitem", tabindex: "-1", "aria-level": this.level,
-                                "aria-labelledby": `row-${node.id}`, "data-id": node.id,
-                                class: node.group ? "group" : "structure" }, this.line, this.inside);
+    this.element = make(
+      "li",
+      {
+        role: "treeitem",
+        tabindex: "-1",
+        "aria-level": this.level,
+        "aria-labelledby": `row-${node.id}`,
+        "data-id": node.id,
+        class: node.group ? "group" : "structure",
+      },
+      this.line,
+      this.inside,
+    );
     if (node.group) this.setOpen(true);
   }
 
@@ -80,8 +106,7 @@ export class TreeRow {
       this.eye.replaceChildren(icon(share === 0 ? "closed" : "eye"));
       this.state.textContent = state && `, ${state}`;
     }
-    if (!this.slider.matches(":active"))
-      showGamma(this.lesson, this.slider, this.stage.gammaOf(this.node.id));
+    if (!this.slider.matches(":active")) showGamma(this.lesson, this.slider, this.stage.gammaOf(this.node.id));
   }
 
   /** @param {number} number of its label; 0 for none */

@@ -32,8 +32,7 @@ async function gunzipped(bytes) {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
   if (typeof DecompressionStream === "undefined") throw new PageError("oldBrowser");
   try {
-    const stream = new Blob([/** @type {BlobPart} */ (bytes)]).stream()
-      .pipeThrough(new DecompressionStream("gzip"));
+    const stream = new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   } catch {
     throw new PageError("spoiled");

@@ -54,7 +54,11 @@ export function plainLines(lines) {
  * @param {string} name
  */
 export function normalised(name) {
-  return name.normalize("NFKD").toLowerCase().replace(/[^\p{L}\p{Nd}]/gu, "").replace(/ς/g, "σ");
+  return name
+    .normalize("NFKD")
+    .toLowerCase()
+    .replace(/[^\p{L}\p{Nd}]/gu, "")
+    .replace(/ς/g, "σ");
 }
 
 /**
@@ -62,7 +66,11 @@ export function normalised(name) {
  * @param {string} name
  */
 export function linkName(name) {
-  return name.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-")
+  return name
+    .normalize("NFKD")
+    .replace(/\p{M}/gu, "")
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}]+/gu, "-")
     .replace(/^-|-$/g, "");
 }
 

@@ -13,7 +13,10 @@ import { hashed } from "./lesson.mjs";
 test("names are compared and hashed as the exporter does", () => {
   for (const { salt, name, normal, hash } of JSON.parse(readFileSync(join(here, "answers.json"), "utf8")).rows) {
     assert.equal(normalised(name), normal, name);
-    const wanted = createHash("sha256").update(salt + normal).digest("hex").slice(0, 16);
+    const wanted = createHash("sha256")
+      .update(salt + normal)
+      .digest("hex")
+      .slice(0, 16);
     assert.equal(answerHash(salt, name), wanted, name);
     if (hash) assert.equal(wanted, hash);
   }
@@ -73,5 +76,8 @@ test("judging takes no longer than a blink", () => {
 
 test("no script reads text as HTML or as a script, or keeps anything", () => {
   const text = [...engineModules(), ...pageModules()].map((file) => readFileSync(file, "utf8")).join("\n");
-  assert.doesNotMatch(text, /<\/script|<!--|innerHTML|insertAdjacentHTML|document\.write|\beval\(|localStorage|sessionStorage|indexedDB|document\.cookie/i);
+  assert.doesNotMatch(
+    text,
+    /<\/script|<!--|innerHTML|insertAdjacentHTML|document\.write|\beval\(|localStorage|sessionStorage|indexedDB|document\.cookie/i,
+  );
 });

@@ -9,7 +9,10 @@ export const here = dirname(fileURLToPath(import.meta.url));
 export const pageFolder = join(here, "..", "..", "resources", "page");
 const webFolder = join(here, "..", "..", "render", "web");
 
-const modulesIn = (folder) => readdirSync(folder).filter((name) => name.endsWith(".js")).map((name) => join(folder, name));
+const modulesIn = (folder) =>
+  readdirSync(folder)
+    .filter((name) => name.endsWith(".js"))
+    .map((name) => join(folder, name));
 
 /** The modules of the page, and of its engine. */
 export const pageModules = () => modulesIn(pageFolder);
@@ -18,6 +21,9 @@ export const engineModules = () => modulesIn(webFolder);
 /** Returns the page in one file: `facts`; `stills`, its HTML; `scene` and maybe `context`, texts. */
 export function assembled({ facts, stills, scene, context }) {
   return execFileSync(join(process.env.PAGE_PROGRAMS, "sline-page-assembler"), {
-    input: JSON.stringify({ facts, stills, scene, context }), encoding: "utf8", maxBuffer: 1 << 26,
-    env: { ...process.env, SLINE_PAGE: process.env.PAGE_FAKE } });
+    input: JSON.stringify({ facts, stills, scene, context }),
+    encoding: "utf8",
+    maxBuffer: 1 << 26,
+    env: { ...process.env, SLINE_PAGE: process.env.PAGE_FAKE },
+  });
 }

@@ -36,8 +36,13 @@ export class Pages {
 
   /** Opens an address and waits for the whole scene. What the browser complains of fails the test at `page.done`. */
   async visit(address, { width = 1280, height = 800, touch = false, before, whole = true, ...more } = {}) {
-    const context = await this.browser.newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch,
-                                                    locale: "en", ...more });
+    const context = await this.browser.newContext({
+      viewport: { width, height },
+      hasTouch: touch,
+      isMobile: touch,
+      locale: "en",
+      ...more,
+    });
     const page = await context.newPage();
     const complaints = [];
     page.on("console", (message) => {
@@ -60,11 +65,12 @@ export class Pages {
     page.visible = (id) => page.evaluate((one) => window.engine.visible(one), id);
     page.selected = () => page.evaluate(() => [...window.engine.selected]);
     /** Where a structure is seen, in pixels of the window. */
-    page.spot = (id) => page.evaluate((one) => {
-      const box = document.getElementById("stage").getBoundingClientRect();
-      const seen = window.engine.seen(window.engine.ball(one));
-      return { x: box.left + seen.x, y: box.top + seen.y };
-    }, id);
+    page.spot = (id) =>
+      page.evaluate((one) => {
+        const box = document.getElementById("stage").getBoundingClientRect();
+        const seen = window.engine.seen(window.engine.ball(one));
+        return { x: box.left + seen.x, y: box.top + seen.y };
+      }, id);
     page.clickOn = async (id) => {
       const { x, y } = await page.spot(id);
       await page.mouse.click(x, y);

@@ -12,7 +12,7 @@ export default [
   {
     linterOptions: { reportUnusedDisableDirectives: "error" },
     rules: {
-      "eqeqeq": "error",
+      eqeqeq: "error",
       "no-duplicate-imports": "error",
       "no-implicit-coercion": "error",
       "no-self-compare": "error",
@@ -23,7 +23,10 @@ export default [
       "prefer-const": "error",
     },
   },
-  { files: ["resources/page/*.js", "render/web/*.js", "tests/page/*.js"], languageOptions: { globals: globals.browser } },
+  {
+    files: ["resources/page/*.js", "render/web/*.js", "tests/page/*.js"],
+    languageOptions: { globals: globals.browser },
+  },
   // What tests do in the page stands among what they do in node.
   { files: ["tests/page/**/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
 ];

@@ -32,7 +32,8 @@ test("no WebAssembly, no decompression, no canvas", async () => {
   for (const [before, query, wanted, locale] of [
     [() => delete window.WebAssembly, "", /cannot turn the scene.*WebAssembly is switched off/, "en"],
     [() => delete window.DecompressionStream, "", /too old to unpack/, "en"],
-    [undefined, "?no-drawing", /neither WebGL 2 nor Canvas 2D/, "en"]]) {
+    [undefined, "?no-drawing", /neither WebGL 2 nor Canvas 2D/, "en"],
+  ]) {
     const page = await pages.visit(address + query, { before, locale, whole: false });
     assert.match(await notice(page), wanted);
     await page.done();
@@ -46,12 +47,21 @@ test("without WebGL it says so", async () => {
 });
 
 test("damaged files", async () => {
-  const later = await pages.visit(pages.write({}, (parts) => ({ ...parts, facts: { ...parts.facts, schema: 2 } })), { whole: false });
+  const later = await pages.visit(
+    pages.write({}, (parts) => ({ ...parts, facts: { ...parts.facts, schema: 2 } })),
+    { whole: false },
+  );
   assert.match(await notice(later), /damaged/);
   await later.done();
   const address = pages.write();
   const html = readFileSync(new URL(address), "utf8");
-  for (const [from, to] of [[/<script type="text\/plain" id="program">[^<]*<\/script>/, ""], [/<script type="text\/plain" id="scene">[^<]*<\/script>/, ""], [/(id="scene">).{40}/, "$1%%%"], [/(id="scene">.{60}).{20}/, "$1AAAAAAAAAAAAAAAAAAAA"], [/(id="facts">.)/, "$1,"]]) {
+  for (const [from, to] of [
+    [/<script type="text\/plain" id="program">[^<]*<\/script>/, ""],
+    [/<script type="text\/plain" id="scene">[^<]*<\/script>/, ""],
+    [/(id="scene">).{40}/, "$1%%%"],
+    [/(id="scene">.{60}).{20}/, "$1AAAAAAAAAAAAAAAAAAAA"],
+    [/(id="facts">.)/, "$1,"],
+  ]) {
     assert.match(html, from);
     writeFileSync(fileURLToPath(address), html.replace(from, to));
     const page = await pages.visit(address, { whole: false });
@@ -63,7 +73,10 @@ test("damaged files", async () => {
 test("a context that cannot be read leaves the scene usable", async () => {
   const page = await pages.visit(pages.write({}, (parts) => ({ ...parts, context: undefined })));
   await page.done();
-  const spoiled = await pages.visit(pages.write({}, (parts) => ({ ...parts, context: "no scene" })), { whole: false });
+  const spoiled = await pages.visit(
+    pages.write({}, (parts) => ({ ...parts, context: "no scene" })),
+    { whole: false },
+  );
   await spoiled.locator(".status", { hasText: "surroundings could not be read" }).waitFor();
   await spoiled.clickOn(6);
   assert.equal(await spoiled.locator("#card h2").innerText(), "Urinary bladder");
@@ -87,7 +100,9 @@ test("a page of several files: from a server it opens, else it says what it need
   const files = { "/": html, "/pelvis.scene": gzipSync(lesson().scene), "/engine.wasm": "program" };
   const server = createServer((request, answer) => {
     const file = files[request.url];
-    answer.writeHead(file ? 200 : 404, { "content-type": request.url === "/" ? "text/html" : "application/octet-stream" });
+    answer.writeHead(file ? 200 : 404, {
+      "content-type": request.url === "/" ? "text/html" : "application/octet-stream",
+    });
     answer.end(file ?? "");
   });
   await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
@@ -101,14 +116,19 @@ test("a page of several files: from a server it opens, else it says what it need
 
 test("a picture that the browser takes away", async () => {
   const page = await pages.show();
-  await page.evaluate(() => document.querySelector(".stage canvas").dispatchEvent(new Event("webglcontextlost", { cancelable: true })));
+  await page.evaluate(() =>
+    document.querySelector(".stage canvas").dispatchEvent(new Event("webglcontextlost", { cancelable: true })),
+  );
   assert.match(await page.locator(".status").innerText(), /Load the page again\. Load again/);
   await page.done();
 
   const failed = await pages.show();
-  await failed.evaluate(() => (window.engine.draw = () => {
-    throw new Error("memory");
-  }));
+  await failed.evaluate(
+    () =>
+      (window.engine.draw = () => {
+        throw new Error("memory");
+      }),
+  );
   await failed.getByRole("button", { name: "Nearer" }).click();
   await failed.locator(".status", { hasText: "Load the page again" }).waitFor();
   await failed.done();

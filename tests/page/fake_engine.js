@@ -100,7 +100,14 @@ class FakeEngine {
   direction(name) {
     this.calls.push(name);
     const quarter = Math.PI / 2;
-    const ways = { anterior: [0, 0], posterior: [2, 0], left: [-1, 0], right: [1, 0], superior: [0, 1], inferior: [0, -1] };
+    const ways = {
+      anterior: [0, 0],
+      posterior: [2, 0],
+      left: [-1, 0],
+      right: [1, 0],
+      superior: [0, 1],
+      inferior: [0, -1],
+    };
     Object.assign(this.eye, { turn: ways[name][0] * quarter, tilt: ways[name][1] * quarter });
   }
 
@@ -127,7 +134,7 @@ class FakeEngine {
   }
 
   facing() {
-    const turn = ((Math.round(this.eye.turn / (Math.PI / 2) * 20) / 20) % 4 + 4) % 4;
+    const turn = (((Math.round((this.eye.turn / (Math.PI / 2)) * 20) / 20) % 4) + 4) % 4;
     if (Math.abs(this.eye.tilt) > 1.5) return this.eye.tilt > 0 ? "S" : "I";
     return this.eye.tilt === 0 && Number.isInteger(turn) ? "ARPL"[turn] : "";
   }
@@ -160,7 +167,10 @@ class FakeEngine {
   resetLook() {
     const first = /** @type {Ball[]} */ (JSON.parse(this.first ?? "[]"));
     for (const ball of this.scene.balls)
-      Object.assign(ball, first.find((one) => one.id === ball.id));
+      Object.assign(
+        ball,
+        first.find((one) => one.id === ball.id),
+      );
   }
 
   /** @param {number[]} ids */
@@ -176,7 +186,7 @@ class FakeEngine {
   /** Where a ball is seen: middle, half axes, depth. @param {Ball} ball */
   seen(ball) {
     const { turn, tilt, scale, x, y } = this.eye;
-    const unit = Math.min(this.width, this.height) / 260 * scale;
+    const unit = (Math.min(this.width, this.height) / 260) * scale;
     const [px, py, pz] = ball.at;
     const across = px * Math.cos(turn) - py * Math.sin(turn);
     const away = px * Math.sin(turn) + py * Math.cos(turn);
@@ -184,8 +194,13 @@ class FakeEngine {
     const depth = away * Math.cos(tilt) + pz * Math.sin(tilt);
     const rx = Math.hypot(ball.size[0] * Math.cos(turn), ball.size[1] * Math.sin(turn));
     const ry = Math.hypot(ball.size[2] * Math.cos(tilt), ball.size[1] * Math.sin(tilt));
-    return { x: this.width / 2 + x + across * unit, y: this.height / 2 + y - up * unit,
-             rx: rx * unit, ry: ry * unit, depth };
+    return {
+      x: this.width / 2 + x + across * unit,
+      y: this.height / 2 + y - up * unit,
+      rx: rx * unit,
+      ry: ry * unit,
+      depth,
+    };
   }
 
   /** @param {boolean} moving */
@@ -195,7 +210,9 @@ class FakeEngine {
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     pen.fillStyle = "#ffffff";
     pen.fillRect(0, 0, this.width, this.height);
-    const shown = this.scene.balls.filter((ball) => ball.visible).sort((a, b) => this.seen(b).depth - this.seen(a).depth);
+    const shown = this.scene.balls
+      .filter((ball) => ball.visible)
+      .sort((a, b) => this.seen(b).depth - this.seen(a).depth);
     for (const ball of shown) this.drawBall(ball);
     return { labels: this.drawLabels(), milliseconds: performance.now() - began, complete: !moving };
   }
@@ -206,7 +223,8 @@ class FakeEngine {
     const { x, y, rx, ry } = this.seen(ball);
     pen.beginPath();
     pen.ellipse(x, y, rx, ry, 0, 0, 2 * Math.PI);
-    pen.fillStyle = ball.gamma < 0.5 ? "#ffffff00" : ball.colour + (ball.gamma > 4 ? "ff" : ball.gamma > 2 ? "b0" : "30");
+    pen.fillStyle =
+      ball.gamma < 0.5 ? "#ffffff00" : ball.colour + (ball.gamma > 4 ? "ff" : ball.gamma > 2 ? "b0" : "30");
     pen.fill();
     pen.lineWidth = this.selected.has(ball.id) ? 3 : 1.1;
     pen.strokeStyle = this.selected.has(ball.id) ? "#b3321d" : "#2a2622";
@@ -231,10 +249,12 @@ class FakeEngine {
     const ids = mode.only ?? Object.keys(mode.texts).map(Number);
     const wanted = this.scene.labels.filter((label) => ids.includes(label.id) && this.ball(label.structure)?.visible);
     const sides = [wanted.filter((_, i) => i % 2 === 0), wanted.filter((_, i) => i % 2 === 1)];
-    return sides.flatMap((side, right) => side.map((label, row) => {
-      const number = wanted.indexOf(label) + 1;
-      return this.drawLabel(label, { number, right: right === 1, y: (row + 1) * this.height / (side.length + 1) });
-    }));
+    return sides.flatMap((side, right) =>
+      side.map((label, row) => {
+        const number = wanted.indexOf(label) + 1;
+        return this.drawLabel(label, { number, right: right === 1, y: ((row + 1) * this.height) / (side.length + 1) });
+      }),
+    );
   }
 
   /** @param {{id: number, structure: number}} label @param {{number: number, right: boolean, y: number}} place @returns {Placed} */
@@ -244,8 +264,10 @@ class FakeEngine {
     const wide = this.mode.numbers ? 22 : words.length * 6.5 + 6;
     const left = right ? this.width - 8 - wide : 8;
     const group = this.make("g", { class: "label", "data-id": label.id });
-    group.append(this.make("path", { class: "leader", d: `M${right ? left : left + wide} ${y}L${ball.x} ${ball.y}` }),
-                 this.make("circle", { class: "dot", cx: ball.x, cy: ball.y, r: 2 }));
+    group.append(
+      this.make("path", { class: "leader", d: `M${right ? left : left + wide} ${y}L${ball.x} ${ball.y}` }),
+      this.make("circle", { class: "dot", cx: ball.x, cy: ball.y, r: 2 }),
+    );
     if (this.mode.numbers) group.append(this.make("circle", { class: "badge", cx: left + wide / 2, cy: y, r: 11 }));
     const anchor = this.mode.numbers ? "middle" : right ? "end" : "start";
     const x = { middle: left + wide / 2, end: left + wide - 3, start: left + 3 }[anchor];
@@ -265,10 +287,12 @@ class FakeEngine {
 
   /** @param {number} x @param {number} y */
   pick(x, y) {
-    const hit = this.scene.balls.filter((ball) => {
-      const seen = this.seen(ball);
-      return ball.visible && ball.gamma >= 0.5 && ((x - seen.x) / seen.rx) ** 2 + ((y - seen.y) / seen.ry) ** 2 <= 1;
-    }).sort((a, b) => this.seen(a).depth - this.seen(b).depth)[0];
+    const hit = this.scene.balls
+      .filter((ball) => {
+        const seen = this.seen(ball);
+        return ball.visible && ball.gamma >= 0.5 && ((x - seen.x) / seen.rx) ** 2 + ((y - seen.y) / seen.ry) ** 2 <= 1;
+      })
+      .sort((a, b) => this.seen(a).depth - this.seen(b).depth)[0];
     return { structure: hit?.id ?? 0, label: 0 };
   }
 

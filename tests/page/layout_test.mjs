@@ -16,66 +16,112 @@ async function serious(page) {
   // A script of the browser's tools is not bound by the page's policy.
   await page.evaluate(axe);
   const { violations } = await page.evaluate(() => window.axe.run(document));
-  return violations.filter(({ impact }) => impact === "serious" || impact === "critical")
+  return violations
+    .filter(({ impact }) => impact === "serious" || impact === "critical")
     .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join("; ")}`);
 }
 
-const sizes = [[320, 568, true], [390, 844, true], [568, 320, true], [844, 390, true], [768, 1024, true], [1024, 768, false],
-               [1440, 900, false], [2560, 1440, false]];
+const sizes = [
+  [320, 568, true],
+  [390, 844, true],
+  [568, 320, true],
+  [844, 390, true],
+  [768, 1024, true],
+  [1024, 768, false],
+  [1440, 900, false],
+  [2560, 1440, false],
+];
 
 /** Opens a panel if it is not open. */
 async function openPanel(page, name) {
   const button = page.locator(".panel-nav").getByRole("button", { name });
-  if (await button.getAttribute("aria-expanded") === "false") await button.click();
+  if ((await button.getAttribute("aria-expanded")) === "false") await button.click();
 }
 
 test("the drawing keeps its room, nothing runs out of the window, targets are large enough", async () => {
   const address = pages.write();
   const small = sizes[0];
-  const cases = [...sizes.flatMap((size) => [[size, "ltr", "en"], [size, "rtl", "en"]]),
-                 ...["de", "nl", "nb"].map((language) => [small, "ltr", language])];
+  const cases = [
+    ...sizes.flatMap((size) => [
+      [size, "ltr", "en"],
+      [size, "rtl", "en"],
+    ]),
+    ...["de", "nl", "nb"].map((language) => [small, "ltr", language]),
+  ];
   for (const [[width, height, touch], direction, language] of cases) {
-    const page = await pages.visit(`${address}#structure=left-common-iliac-artery&language=${language}`, { width, height, touch });
+    const page = await pages.visit(`${address}#structure=left-common-iliac-artery&language=${language}`, {
+      width,
+      height,
+      touch,
+    });
     await page.evaluate((dir) => (document.documentElement.dir = dir), direction);
     for (const panel of [0, 1, 2]) {
       const button = page.locator(".panel-button").nth(panel);
-      if (await button.getAttribute("aria-expanded") === "false") await button.click();
+      if ((await button.getAttribute("aria-expanded")) === "false") await button.click();
       const what = `${width}×${height} ${direction} ${language} ${panel}`;
       const found = await page.evaluate(() => {
         const stage = document.getElementById("stage").getBoundingClientRect();
-        const out = [...document.querySelectorAll("#app *")].filter((one) => {
-          const box = one.getBoundingClientRect();
-          return box.width > 1 && box.height > 1 && !one.closest(".overlay, .unseen, .skip") && getComputedStyle(one).visibility === "visible" &&
-                 (box.left < -1 || box.right > innerWidth + 1);
-        }).map((one) => `${one.className} ${one.textContent.slice(0, 30)}`);
-        const small = [...document.querySelectorAll("#app button, #app select, #app input")].filter((one) => {
-          const box = one.getBoundingClientRect();
-          return box.width > 0 && (box.width < 24 || box.height < 24);
-        }).map((one) => `${one.className} ${one.getBoundingClientRect().width}×${one.getBoundingClientRect().height}`);
-        return { scrolls: document.documentElement.scrollWidth > innerWidth, out, small, stage: [stage.width, stage.height] };
+        const out = [...document.querySelectorAll("#app *")]
+          .filter((one) => {
+            const box = one.getBoundingClientRect();
+            return (
+              box.width > 1 &&
+              box.height > 1 &&
+              !one.closest(".overlay, .unseen, .skip") &&
+              getComputedStyle(one).visibility === "visible" &&
+              (box.left < -1 || box.right > innerWidth + 1)
+            );
+          })
+          .map((one) => `${one.className} ${one.textContent.slice(0, 30)}`);
+        const small = [...document.querySelectorAll("#app button, #app select, #app input")]
+          .filter((one) => {
+            const box = one.getBoundingClientRect();
+            return box.width > 0 && (box.width < 24 || box.height < 24);
+          })
+          .map((one) => `${one.className} ${one.getBoundingClientRect().width}×${one.getBoundingClientRect().height}`);
+        return {
+          scrolls: document.documentElement.scrollWidth > innerWidth,
+          out,
+          small,
+          stage: [stage.width, stage.height],
+        };
       });
       assert.deepEqual([found.scrolls, found.out, found.small], [false, [], []], what);
-      assert.ok(found.stage[0] >= Math.min(300, width * 0.5) && found.stage[1] >= Math.min(180, height * 0.3),
-                `${what}: ${found.stage}`);
+      assert.ok(
+        found.stage[0] >= Math.min(300, width * 0.5) && found.stage[1] >= Math.min(180, height * 0.3),
+        `${what}: ${found.stage}`,
+      );
     }
     await page.done();
   }
 });
 
 test("long titles are whole: in lines, in a tooltip, and for who listens", async () => {
-  const long = "Where the left ureter crosses the common iliac artery, seen obliquely from behind, above and from the left";
+  const long =
+    "Where the left ureter crosses the common iliac artery, seen obliquely from behind, above and from the left";
   const title = `${long}, with all that lies around it in the female pelvis and is of importance to the surgeon, at length`;
   const address = pages.write({ title }, (made) => {
     made.facts.views[0].title = { en: long };
     made.facts.views[1].title = { en: title + title };
     return made;
   });
-  const whole = (element) => element.evaluate((one) => ({
-    cut: one.scrollHeight > one.clientHeight || one.scrollWidth > one.clientWidth, title: one.title }));
-  for (const [width, height] of [[1440, 900], [1024, 768], [700, 900], [320, 568]]) {
+  const whole = (element) =>
+    element.evaluate((one) => ({
+      cut: one.scrollHeight > one.clientHeight || one.scrollWidth > one.clientWidth,
+      title: one.title,
+    }));
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+    [700, 900],
+    [320, 568],
+  ]) {
     const page = await pages.visit(`${address}#view=1`, { width, height });
     const wide = await page.locator(".caption").evaluate((one) => one.clientHeight > 2);
-    for (const [view, caption] of [[1, long], [2, title + title]]) {
+    for (const [view, caption] of [
+      [1, long],
+      [2, title + title],
+    ]) {
       if (view === 2) await page.evaluate(() => (location.hash = "#view=2"));
       await until(() => page.locator(".caption").textContent(), caption);
       const head = page.locator(".head h1");
@@ -101,7 +147,12 @@ test("long titles are whole: in lines, in a tooltip, and for who listens", async
 
 test("axe-core finds nothing serious", async () => {
   const address = pages.write();
-  for (const [width, height, colorScheme] of [[1440, 900, "light"], [1440, 900, "dark"], [390, 844, "light"], [320, 568, "dark"]]) {
+  for (const [width, height, colorScheme] of [
+    [1440, 900, "light"],
+    [1440, 900, "dark"],
+    [390, 844, "light"],
+    [320, 568, "dark"],
+  ]) {
     const page = await pages.visit(`${address}#view=1&structure=urinary-bladder`, { width, height, colorScheme });
     const found = {};
     for (const panel of ["Structures", "Tour"]) {
@@ -136,10 +187,18 @@ test("without motion a view is there at once", async () => {
 test("a window of another size is filled at once", async () => {
   const page = await pages.show();
   await page.setViewportSize({ width: 600, height: 900 });
-  await until(() => page.evaluate(() => {
-    const canvas = document.querySelector(".stage canvas");
-    return [canvas.width === Math.round(canvas.clientWidth * devicePixelRatio), document.querySelectorAll(".panel:not([hidden])").length];
-  }), [true, 1], "and the panels that have no room are closed");
+  await until(
+    () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector(".stage canvas");
+        return [
+          canvas.width === Math.round(canvas.clientWidth * devicePixelRatio),
+          document.querySelectorAll(".panel:not([hidden])").length,
+        ];
+      }),
+    [true, 1],
+    "and the panels that have no room are closed",
+  );
   await page.setViewportSize({ width: 1400, height: 900 });
   await page.locator(".panel-nav").getByRole("button", { name: "Structures" }).click();
   assert.equal(await page.locator(".panel:visible").count(), 2);

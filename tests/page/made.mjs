@@ -9,9 +9,13 @@ import { modules } from "./browser.mjs";
 
 const { chromium } = modules("playwright-core");
 /** Whether the engine draws without WebGL, too; else still pictures have to do. */
-const drawsAnywhere = /means = .*"canvas"/.test(readFileSync(join(here, "..", "..", "render", "web", "engine.js"), "utf8"));
-export const drivers = { webgl: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-                         canvas: ["--disable-3d-apis"] };
+const drawsAnywhere = /means = .*"canvas"/.test(
+  readFileSync(join(here, "..", "..", "render", "web", "engine.js"), "utf8"),
+);
+export const drivers = {
+  webgl: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  canvas: ["--disable-3d-apis"],
+};
 
 export const factsOf = (file) => JSON.parse(/id="facts">([^]*?)<\/script>/.exec(readFileSync(file, "utf8"))[1]);
 
@@ -21,7 +25,10 @@ export class Browsers {
     const browsers = new Browsers();
     browsers.all = {};
     for (const each of means)
-      browsers.all[each] = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", ...drivers[each]] });
+      browsers.all[each] = await chromium.launch({
+        executablePath: "/usr/bin/chromium",
+        args: ["--no-sandbox", ...drivers[each]],
+      });
     return browsers;
   }
 
@@ -33,8 +40,17 @@ export class Browsers {
    * Opens a page and waits for the whole scene; errors fail the test at `page.done`. With a `card` the engine is told of
    * a graphics card, and has the driver draw what its own drawing would where the driver is software.
    */
-  async visit(file, { means = "webgl", hash = "", width = 1280, height = 800, touch = false, card = false, ...more } = {}) {
-    const context = await this.all[means].newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch, locale: "en", ...more });
+  async visit(
+    file,
+    { means = "webgl", hash = "", width = 1280, height = 800, touch = false, card = false, ...more } = {},
+  ) {
+    const context = await this.all[means].newContext({
+      viewport: { width, height },
+      hasTouch: touch,
+      isMobile: touch,
+      locale: "en",
+      ...more,
+    });
     const page = await context.newPage();
     if (card)
       await page.addInitScript(() => {
@@ -48,10 +64,17 @@ export class Browsers {
     page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
     page.on("pageerror", (error) => complaints.push(String(error)));
     await page.goto(`file://${file}${hash}`);
-    await page.waitForFunction(() => document.body.classList.contains("complete") || !document.getElementById("stills").hidden,
-                               undefined, { timeout: 60000 });
+    await page.waitForFunction(
+      () => document.body.classList.contains("complete") || !document.getElementById("stills").hidden,
+      undefined,
+      { timeout: 60000 },
+    );
     page.still = means === "canvas" && !drawsAnywhere;
-    assert.equal(await page.locator("#stills .notice[role=alert]").count(), page.still ? 1 : 0, `${file} with ${means}`);
+    assert.equal(
+      await page.locator("#stills .notice[role=alert]").count(),
+      page.still ? 1 : 0,
+      `${file} with ${means}`,
+    );
     page.done = async () => {
       await context.close();
       assert.deepEqual(complaints, []);
@@ -97,12 +120,14 @@ export async function pictureAtRest(page) {
 /** A picture in a file, read by the browser. @returns {Promise<Picture>} */
 export async function pictureIn(page, file) {
   const address = `data:image/png;base64,${readFileSync(file).toString("base64")}`;
-  return unpacked(await page.evaluate(`(async () => {
+  return unpacked(
+    await page.evaluate(`(async () => {
     const image = new Image();
     image.src = ${JSON.stringify(address)};
     await image.decode();
     return (${drawn})(image);
-  })()`));
+  })()`),
+  );
 }
 
 /** How far two pictures of one size are apart: the mean difference of their colours in fields of 6 × 6 pixels, 0 to 255. */
@@ -134,16 +159,21 @@ export function outlined({ data }) {
 }
 
 /** Where labels point, in pixels of the window, by their ids; hidden ones apart. */
-export const spotsOf = (page) => page.evaluate(() => {
-  const box = document.getElementById("stage").getBoundingClientRect();
-  const spots = {};
-  for (const label of document.querySelectorAll(".overlay .label")) {
-    const dot = label.querySelector(".dot:not(.hidden)");
-    if (dot) spots[label.dataset.id] = { x: box.left + Number(dot.getAttribute("cx")), y: box.top + Number(dot.getAttribute("cy")) };
-  }
-  return spots;
-});
+export const spotsOf = (page) =>
+  page.evaluate(() => {
+    const box = document.getElementById("stage").getBoundingClientRect();
+    const spots = {};
+    for (const label of document.querySelectorAll(".overlay .label")) {
+      const dot = label.querySelector(".dot:not(.hidden)");
+      if (dot)
+        spots[label.dataset.id] = {
+          x: box.left + Number(dot.getAttribute("cx")),
+          y: box.top + Number(dot.getAttribute("cy")),
+        };
+    }
+    return spots;
+  });
 
 /** The labels in the picture, by their ids. */
-export const labelsOf = (page) => page.locator(".overlay .label").evaluateAll((all) =>
-  all.map((one) => Number(one.dataset.id)).sort((a, b) => a - b));
+export const labelsOf = (page) =>
+  page.locator(".overlay .label").evaluateAll((all) => all.map((one) => Number(one.dataset.id)).sort((a, b) => a - b));

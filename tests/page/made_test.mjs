@@ -20,38 +20,50 @@ after(() => browsers?.close());
 const open = (file, how) => browsers.visit(file, how);
 
 /** A picture as few numbers: how much ink there is in each of 16 × 16 fields. */
-const fields = (page) => page.evaluate(async () => {
-  // The picture at rest.
-  await new Promise((passed) => setTimeout(passed, 1200));
-  const canvas = document.querySelector(".stage canvas");
-  const small = document.createElement("canvas");
-  small.width = small.height = 16;
-  const pen = small.getContext("2d");
-  pen.imageSmoothingQuality = "high";
-  pen.drawImage(canvas, 0, 0, 16, 16);
-  return [...pen.getImageData(0, 0, 16, 16).data].filter((_, i) => i % 4 !== 3);
-});
+const fields = (page) =>
+  page.evaluate(async () => {
+    // The picture at rest.
+    await new Promise((passed) => setTimeout(passed, 1200));
+    const canvas = document.querySelector(".stage canvas");
+    const small = document.createElement("canvas");
+    small.width = small.height = 16;
+    const pen = small.getContext("2d");
+    pen.imageSmoothingQuality = "high";
+    pen.drawImage(canvas, 0, 0, 16, 16);
+    return [...pen.getImageData(0, 0, 16, 16).data].filter((_, i) => i % 4 !== 3);
+  });
 
 /** The picture at rest, as the bytes of its pixels. */
-const pixels = async (page) => Buffer.from(await page.evaluate(async () => {
-  await new Promise((passed) => setTimeout(passed, 2500));
-  const canvas = document.querySelector(".stage canvas");
-  const copy = document.createElement("canvas");
-  copy.width = canvas.width;
-  copy.height = canvas.height;
-  const pen = copy.getContext("2d");
-  pen.fillStyle = "white";
-  pen.fillRect(0, 0, copy.width, copy.height);
-  pen.drawImage(canvas, 0, 0);
-  return [...pen.getImageData(0, 0, copy.width, copy.height).data];
-}));
+const pixels = async (page) =>
+  Buffer.from(
+    await page.evaluate(async () => {
+      await new Promise((passed) => setTimeout(passed, 2500));
+      const canvas = document.querySelector(".stage canvas");
+      const copy = document.createElement("canvas");
+      copy.width = canvas.width;
+      copy.height = canvas.height;
+      const pen = copy.getContext("2d");
+      pen.fillStyle = "white";
+      pen.fillRect(0, 0, copy.width, copy.height);
+      pen.drawImage(canvas, 0, 0);
+      return [...pen.getImageData(0, 0, copy.width, copy.height).data];
+    }),
+  );
 
 const differ = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 4).length;
 
 /** Clicks here and there until something is chosen; returns its name. */
 async function chosenByClick(page) {
   const box = await page.locator("#stage").boundingBox();
-  for (const [x, y] of [[0.5, 0.5], [0.5, 0.6], [0.45, 0.55], [0.55, 0.45], [0.4, 0.4], [0.6, 0.6], [0.5, 0.35]]) {
+  for (const [x, y] of [
+    [0.5, 0.5],
+    [0.5, 0.6],
+    [0.45, 0.55],
+    [0.55, 0.45],
+    [0.4, 0.4],
+    [0.6, 0.6],
+    [0.5, 0.35],
+  ]) {
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
     if (await page.locator("#card").isVisible()) return page.locator("#card h2").innerText();
     await page.waitForTimeout(400);
@@ -64,12 +76,18 @@ for (const means of Object.keys(drivers))
     for (const file of made) {
       const page = await open(file, { means });
       if (page.still) {
-        assert.ok(await page.locator("#stills figure img").count() > 0);
+        assert.ok((await page.locator("#stills figure img").count()) > 0);
         await page.done();
         continue;
       }
       const first = await fields(page);
-      assert.ok(differ(first, first.map(() => first[0])) > 20, "there is a picture");
+      assert.ok(
+        differ(
+          first,
+          first.map(() => first[0]),
+        ) > 20,
+        "there is a picture",
+      );
       const box = await page.locator("#stage").boundingBox();
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
       await page.mouse.down();
@@ -79,11 +97,15 @@ for (const means of Object.keys(drivers))
       await page.getByRole("button", { name: "Seen from the front" }).click();
       await page.getByRole("button", { name: "Show all" }).click();
       const front = await fields(page);
-      const letters = await page.locator(".edge-letter").evaluateAll((all) =>
-        all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
+      const letters = await page
+        .locator(".edge-letter")
+        .evaluateAll((all) => all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
       assert.equal(letters.length, 4, "all sides are marked, beside the labels");
       for (const [letter, x] of letters)
-        assert.ok(letter === "R" ? x < box.width / 3 : letter === "L" ? x > box.width / 1.5 : "SI".includes(letter), letter);
+        assert.ok(
+          letter === "R" ? x < box.width / 3 : letter === "L" ? x > box.width / 1.5 : "SI".includes(letter),
+          letter,
+        );
       const name = await chosenByClick(page);
       assert.ok(name, "something can be chosen");
       await page.getByRole("button", { name: "Only this" }).click();
@@ -93,7 +115,7 @@ for (const means of Object.keys(drivers))
       await page.locator("#card .gamma").fill("5");
       await page.keyboard.press("Escape");
       if (factsOf(file).labels.length) {
-        assert.ok(await page.locator(".overlay .label").count() > 0, "labels stand in the picture");
+        assert.ok((await page.locator(".overlay .label").count()) > 0, "labels stand in the picture");
         await page.locator(".label-select").selectOption("numbers");
         await page.locator(".overlay .badge").first().waitFor({ state: "attached" });
       }
@@ -115,7 +137,7 @@ test("made pages: a driver for a card draws what the engine's own drawing does",
   let off = 0;
   for (let i = 0; i < own.length; i += 4)
     off += [0, 1, 2].some((channel) => Math.abs(own[i + channel] - driver[i + channel]) > 8);
-  assert.ok(off <= 0.01 * own.length / 4, `${off} of ${own.length / 4} pixels differ`);
+  assert.ok(off <= (0.01 * own.length) / 4, `${off} of ${own.length / 4} pixels differ`);
 });
 
 test("made pages: search in every language, deep links, tour", { skip }, async () => {
@@ -145,14 +167,15 @@ test("made pages: typed names are known, in every language", { skip }, async () 
   for (const file of made) {
     const { quiz } = factsOf(file);
     for (const { kind, words, answers } of quiz.questions)
-      if (kind === "name") for (const name of Object.values(words)) assert.ok(answers.includes(hashed(quiz.salt, name)), name);
+      if (kind === "name")
+        for (const name of Object.values(words)) assert.ok(answers.includes(hashed(quiz.salt, name)), name);
     const question = quiz.questions.find(({ kind }) => kind === "name");
     const page = await open(file);
     await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
     const round = page.locator(".round select");
-    if (await round.count()) await round.selectOption({ index: await round.locator("option").count() - 1 });
+    if (await round.count()) await round.selectOption({ index: (await round.locator("option").count()) - 1 });
     await page.getByRole("button", { name: "Begin", exact: true }).click();
-    while (!await page.locator(".typed").isVisible()) {
+    while (!(await page.locator(".typed").isVisible())) {
       await page.getByRole("button", { name: "I do not know" }).click();
       await page.locator("#quiz .on").click();
     }
@@ -165,11 +188,18 @@ test("made pages: typed names are known, in every language", { skip }, async () 
 
 test("made pages: axe-core finds nothing serious, on a desk and on telephones", { skip }, async () => {
   for (const file of made)
-    for (const [width, height, touch] of [[1440, 900, false], [390, 844, true], [320, 568, true]]) {
+    for (const [width, height, touch] of [
+      [1440, 900, false],
+      [390, 844, true],
+      [320, 568, true],
+    ]) {
       const page = await open(file, { width, height, touch, hash: "#view=1" });
       await page.evaluate(axe);
       const { violations } = await page.evaluate(() => window.axe.run(document));
-      assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id }) => id), []);
+      assert.deepEqual(
+        violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id }) => id),
+        [],
+      );
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
       await page.done();
     }

@@ -6,12 +6,18 @@ import { join } from "node:path";
 import test from "node:test";
 import { here } from "./assemble.mjs";
 
-const scripts = [join(process.env.PAGE_FAKE, "page.js"), join(process.env.PAGE_PROGRAMS, "page", "page.js")].filter(existsSync);
+const scripts = [join(process.env.PAGE_FAKE, "page.js"), join(process.env.PAGE_PROGRAMS, "page", "page.js")].filter(
+  existsSync,
+);
 
 test("a page's script is one strict function", () => {
   assert.ok(scripts.length > 0);
   for (const file of scripts)
-    assert.match(readFileSync(file, "utf8"), /^\/\/ SPDX-License-Identifier: Apache-2\.0\n"use strict";\n\(\(\) => \{\n[^]*\n\}\)\(\);\n$/, file);
+    assert.match(
+      readFileSync(file, "utf8"),
+      /^\/\/ SPDX-License-Identifier: Apache-2\.0\n"use strict";\n\(\(\) => \{\n[^]*\n\}\)\(\);\n$/,
+      file,
+    );
 });
 
 test("a page's script can be read, and does not say where it was made", () => {
@@ -20,7 +26,8 @@ test("a page's script can be read, and does not say where it was made", () => {
     const text = readFileSync(file, "utf8");
     const modules = [...text.matchAll(/^ {2}\/\/ (\S+\.m?js)$/gm)].map(([, name]) => name);
     assert.ok(modules.includes("resources/page/main.js"), modules.join());
-    for (const name of modules) assert.match(name, /^(resources\/page|render\/web|tests\/page)\/\w+\.js$|^engine_module\.mjs$/);
+    for (const name of modules)
+      assert.match(name, /^(resources\/page|render\/web|tests\/page)\/\w+\.js$|^engine_module\.mjs$/);
     assert.ok(!text.includes(top), file);
   }
 });

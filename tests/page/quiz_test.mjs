@@ -17,7 +17,8 @@ const giveUp = (page) => page.getByRole("button", { name: "I do not know" }).cli
 
 /** Opens the quiz and begins; gives up as many questions as are to be passed over. */
 async function begun(page, passed = 0) {
-  if (await page.locator("#quiz").isHidden()) await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
+  if (await page.locator("#quiz").isHidden())
+    await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
   await page.getByRole("button", { name: "Begin", exact: true }).click();
   for (let i = 0; i < passed; ++i) {
     await giveUp(page);
@@ -76,11 +77,15 @@ test("all kinds of questions answered right", async () => {
   await drag(page, "Urinary bladder", 6);
   await until(() => page.locator(".overlay .label[data-id='1']").textContent(), "Urinary bladder");
   await page.locator(".chip", { hasText: "Rectum" }).click();
-  await page.mouse.click(...Object.values(await page.evaluate(() => {
-    const seen = window.engine.seen(window.engine.ball(15));
-    const box = document.getElementById("stage").getBoundingClientRect();
-    return { x: box.left + seen.x, y: box.top + seen.y - seen.ry * 0.8 };
-  })));
+  await page.mouse.click(
+    ...Object.values(
+      await page.evaluate(() => {
+        const seen = window.engine.seen(window.engine.ball(15));
+        const box = document.getElementById("stage").getBoundingClientRect();
+        return { x: box.left + seen.x, y: box.top + seen.y - seen.ry * 0.8 };
+      }),
+    ),
+  );
   await page.getByRole("button", { name: "Answer", exact: true }).click();
   assert.equal(await verdict(page), "Right.");
   await page.getByRole("button", { name: "Finish" }).click();
@@ -90,10 +95,21 @@ test("all kinds of questions answered right", async () => {
   const [begin, ...rest] = await told(page);
   assert.deepEqual(begin, { begin: 6, kind: "scorm12" });
   assert.deepEqual(rest.pop(), { end: { right: 6, total: 6 } });
-  assert.deepEqual(rest.map(({ answer }) => [answer.id, answer.kind, answer.correct]),
-                   [["find-1", "find", true], ["name-1", "name", true], ["name-2", "name", true], ["choose-3", "choose", true],
-                    ["order-4", "order", true], ["drag-5", "drag", true]]);
-  assert.deepEqual(rest.slice(0, 3).map(({ answer }) => answer.response), ["Urinary bladder", "left urether", "Harnröhre"]);
+  assert.deepEqual(
+    rest.map(({ answer }) => [answer.id, answer.kind, answer.correct]),
+    [
+      ["find-1", "find", true],
+      ["name-1", "name", true],
+      ["name-2", "name", true],
+      ["choose-3", "choose", true],
+      ["order-4", "order", true],
+      ["drag-5", "drag", true],
+    ],
+  );
+  assert.deepEqual(
+    rest.slice(0, 3).map(({ answer }) => answer.response),
+    ["Urinary bladder", "left urether", "Harnröhre"],
+  );
   assert.ok(rest.every(({ answer }) => answer.seconds > 0 && answer.seconds < 60));
   await page.done();
 });
@@ -102,7 +118,10 @@ test("wrong answers are told, once", async () => {
   const page = await pages.show({ report: "cmi5" });
   await begun(page);
   await page.clickOn(3);
-  assert.match(await page.locator(".verdict").innerText(), /Not right\.[\s\S]*That was: Left hip bone[\s\S]*marked now/);
+  assert.match(
+    await page.locator(".verdict").innerText(),
+    /Not right\.[\s\S]*That was: Left hip bone[\s\S]*marked now/,
+  );
   await until(page.selected, [6], "the right one is shown");
   await page.clickOn(6);
   assert.equal(await verdict(page), "Not right.");
@@ -118,7 +137,10 @@ test("wrong answers are told, once", async () => {
   for (const name of ["Left external iliac artery", "Abdominal aorta", "Left common iliac artery"])
     await page.locator(".chip", { hasText: name }).click();
   await page.getByRole("button", { name: "Answer", exact: true }).click();
-  assert.match(await page.locator(".verdict").innerText(), /It is: Abdominal aorta, Left common iliac artery, Left external/);
+  assert.match(
+    await page.locator(".verdict").innerText(),
+    /It is: Abdominal aorta, Left common iliac artery, Left external/,
+  );
   await next(page);
   await drag(page, "Left ureter", 6);
   await drag(page, "Urinary bladder", 7);
@@ -149,9 +171,14 @@ test("without pointing: numbers of labels", async () => {
   }
   await page.getByRole("button", { name: "Answer by number" }).click();
   await page.getByRole("button", { name: "Number 3" }).waitFor();
-  for (const [name, number] of [["Urinary bladder", 1], ["Rectum", 3], ["Left ureter", 2]]) {
+  for (const [name, number] of [
+    ["Urinary bladder", 1],
+    ["Rectum", 3],
+    ["Left ureter", 2],
+  ]) {
     await page.locator(".chip", { hasText: name }).focus();
-    if (await page.locator(".chip", { hasText: name }).getAttribute("aria-pressed") === "false") await page.keyboard.press("Enter");
+    if ((await page.locator(".chip", { hasText: name }).getAttribute("aria-pressed")) === "false")
+      await page.keyboard.press("Enter");
     await page.getByRole("button", { name: `Number ${number}`, exact: true }).click();
   }
   await page.getByRole("button", { name: "Answer", exact: true }).click();
@@ -175,7 +202,7 @@ test("camera and look are held, and free again", async () => {
   assert.equal(await page.locator(".surroundings").count(), 0);
   assert.equal(await page.getByRole("button", { name: "Nearer" }).isDisabled(), true);
   await page.locator(".panel-nav").getByRole("button", { name: "Structures" }).click();
-  assert.ok(await drags() > 0, "who leaves the quiz may turn");
+  assert.ok((await drags()) > 0, "who leaves the quiz may turn");
   await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
   await page.calls();
   assert.equal(await drags(), 0);
@@ -190,7 +217,10 @@ test("camera and look are held, and free again", async () => {
 });
 
 test("an attempt that was suspended goes on", async () => {
-  const page = await pages.show({ report: "scorm2004" }, { before: () => (window.answeredBefore = { "find-1": true, "name-1": false }) });
+  const page = await pages.show(
+    { report: "scorm2004" },
+    { before: () => (window.answeredBefore = { "find-1": true, "name-1": false }) },
+  );
   await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
   assert.match(await page.locator("#quiz").innerText(), /2 of them are answered already/);
   await begun(page);
@@ -220,11 +250,12 @@ test("practice may be repeated and is told to nobody", async () => {
 });
 
 test("of many questions who practises takes some", async () => {
-  const many = (options) => pages.write(options, (parts) => {
-    const [one] = parts.facts.quiz.questions;
-    parts.facts.quiz.questions = Array.from({ length: 25 }, (_, i) => ({ ...one, id: `find-${i}` }));
-    return parts;
-  });
+  const many = (options) =>
+    pages.write(options, (parts) => {
+      const [one] = parts.facts.quiz.questions;
+      parts.facts.quiz.questions = Array.from({ length: 25 }, (_, i) => ({ ...one, id: `find-${i}` }));
+      return parts;
+    });
   const page = await pages.visit(many({ counts: false }));
   await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
   assert.deepEqual(await page.locator(".round option").allInnerTexts(), ["10", "20", "all 25"]);
@@ -245,8 +276,11 @@ test("quiz only: no name in file or page, and typed names are known all the same
   const address = pages.write({ mode: "only", report: "scorm12" });
   const { readFileSync } = await import("node:fs");
   const html = readFileSync(new URL(address), "utf8");
-  const names = /bladder|ureter\b.*sinister|left ureter|harnleiter|harnblase|urethra"|rectum|sacrum|iliac artery|hip bone/i;
-  const data = html.slice(html.indexOf("<main"), html.indexOf("<script>")).replace(/<script type="text\/plain"[^]*?<\/script>/g, "");
+  const names =
+    /bladder|ureter\b.*sinister|left ureter|harnleiter|harnblase|urethra"|rectum|sacrum|iliac artery|hip bone/i;
+  const data = html
+    .slice(html.indexOf("<main"), html.indexOf("<script>"))
+    .replace(/<script type="text\/plain"[^]*?<\/script>/g, "");
   assert.doesNotMatch(data, names);
   const page = await pages.visit(address);
   assert.equal(await page.locator("#structures").count(), 0);
@@ -279,10 +313,13 @@ test("quiz only: no name in file or page, and typed names are known all the same
 test("quiz only: an order is pointed at, what cannot be asked is left out", async () => {
   const address = pages.write({ mode: "only" }, (parts) => {
     const blank = { labels: [], answers: [] };
-    parts.facts.quiz.questions = [{ id: "o", kind: "order", structures: [11, 12, 6], ...blank },
-                                  { id: "f", kind: "find", structures: [6], ...blank }, { id: "c", kind: "choose", structures: [6], ...blank },
-                                  { id: "d", kind: "drag", structures: [6], ...blank },
-                                  { id: "n", kind: "name", structures: [15], labels: [], answers: [hashed("b3", "Mastdarm")] }];
+    parts.facts.quiz.questions = [
+      { id: "o", kind: "order", structures: [11, 12, 6], ...blank },
+      { id: "f", kind: "find", structures: [6], ...blank },
+      { id: "c", kind: "choose", structures: [6], ...blank },
+      { id: "d", kind: "drag", structures: [6], ...blank },
+      { id: "n", kind: "name", structures: [15], labels: [], answers: [hashed("b3", "Mastdarm")] },
+    ];
     return parts;
   });
   const page = await pages.visit(address);

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # run.sh BUILD_DIR [TEST…]: works the students' page in headless Chromium, with an engine that draws
-# balls: what needs no engine, or one that notes what is asked of it. run.sh BUILD_DIR --types or
-# --lint: checks the types of its scripts; these and those of its tests for what is wrong in them and
-# for modules that import each other in circles. run.sh BUILD_DIR --made DATA: has the built program make pages, of demos and of the abdomen in the folder
+# balls: what needs no engine, or one that notes what is asked of it. run.sh BUILD_DIR --types, --lint or
+# --format: checks the types of its scripts; these and those of its tests for what is wrong in them and
+# for modules that import each other in circles; their form, which --format-all gives them. run.sh
+# BUILD_DIR --made DATA: has the built program make pages, of demos and of the abdomen in the folder
 # DATA, and works those, as students do. run.sh BUILD_DIR --packages: has it make packages, and checks
 # these by the standards' schemas. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if
 # Node.js, npm, Chromium, esbuild or the page's program is absent or npm cannot fetch, unless
@@ -120,6 +121,13 @@ case "${1:-}" in
       --outdir="$work/modules" --metafile="$work/modules.json" --log-level=warning
     node "$here/circles.mjs" "$work/modules.json"
     exec "$tools/eslint" --config "$here/eslint.config.mjs" --max-warnings 0 "${scripts[@]}"
+    ;;
+  --format | --format-all)
+    cd "$top"
+    how=--check
+    [ "$1" = --format ] || how=--write
+    exec "$tools/prettier" --config "$here/prettier.json" --log-level warn "$how" \
+      "${scripts[@]/%//**/*.{js,mjs,ts\}}"
     ;;
 esac
 

@@ -15,7 +15,11 @@ test("the focus is drawn first, then the context", async () => {
   assert.equal(await page.evaluate(() => window.engine.scene.balls.length), 11);
   assert.equal(await page.locator("#stills").isVisible(), false);
   assert.equal(await page.locator(".first-picture").count(), 0);
-  assert.ok(await page.evaluate(() => window.crossOriginIsolated === false && document.getElementById("scene").textContent === ""));
+  assert.ok(
+    await page.evaluate(
+      () => window.crossOriginIsolated === false && document.getElementById("scene").textContent === "",
+    ),
+  );
   await page.done();
 });
 
@@ -57,21 +61,29 @@ test("twice brings into the picture, a resting mouse is told the name", async ()
 
 test("what is chosen is in sight in the list", async () => {
   const page = await pages.show({}, { hash: "#structure=rectum", height: 520 });
-  await until(() => page.evaluate(() => {
-    const row = document.querySelector("li[data-id='15'] > .row").getBoundingClientRect();
-    const list = document.getElementById("structures").getBoundingClientRect();
-    return row.top >= list.top - 1 && row.bottom <= list.bottom + 1;
-  }), true);
+  await until(
+    () =>
+      page.evaluate(() => {
+        const row = document.querySelector("li[data-id='15'] > .row").getBoundingClientRect();
+        const list = document.getElementById("structures").getBoundingClientRect();
+        return row.top >= list.top - 1 && row.bottom <= list.bottom + 1;
+      }),
+    true,
+  );
   await page.done();
 });
 
 test("the filter finds names of every language", async () => {
   const page = await pages.show();
   const shown = () => page.locator("li.structure:visible .row-name").allInnerTexts();
-  for (const [typed, wanted] of [["harnblase", ["Urinary bladder"]], ["URETER", ["Left ureter", "Right ureter"]],
-                                 ["hüft", ["Right hip bone", "Left hip bone"]], ["huft", ["Right hip bone", "Left hip bone"]],
-                                 ["vasa", ["Abdominal aorta", "Left common iliac artery", "Left external iliac artery"]],
-                                 ["qqq", []]]) {
+  for (const [typed, wanted] of [
+    ["harnblase", ["Urinary bladder"]],
+    ["URETER", ["Left ureter", "Right ureter"]],
+    ["hüft", ["Right hip bone", "Left hip bone"]],
+    ["huft", ["Right hip bone", "Left hip bone"]],
+    ["vasa", ["Abdominal aorta", "Left common iliac artery", "Left external iliac artery"]],
+    ["qqq", []],
+  ]) {
     await page.locator(".filter").fill(typed);
     assert.deepEqual(await shown(), wanted, typed);
   }
@@ -99,7 +111,8 @@ test("groups fold, by mouse and keys", async () => {
 
 test("by keys alone", async () => {
   const page = await pages.show();
-  const focused = () => page.evaluate(() => document.activeElement?.getAttribute("data-id") ?? document.activeElement?.id ?? "");
+  const focused = () =>
+    page.evaluate(() => document.activeElement?.getAttribute("data-id") ?? document.activeElement?.id ?? "");
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
   assert.equal(await focused(), "stage", "the first stop leads to the drawing");
@@ -135,13 +148,32 @@ test("every control can be reached by Tab, and says what it is", async () => {
   const stops = new Set();
   for (let i = 0; i < 60; ++i) {
     await page.keyboard.press("Tab");
-    stops.add(await page.evaluate(() => {
-      const at = document.activeElement;
-      return at === document.body ? "" : at.getAttribute("aria-label") || at.innerText || at.getAttribute("aria-labelledby") || `?${at.outerHTML}`;
-    }));
+    stops.add(
+      await page.evaluate(() => {
+        const at = document.activeElement;
+        return at === document.body
+          ? ""
+          : at.getAttribute("aria-label") || at.innerText || at.getAttribute("aria-labelledby") || `?${at.outerHTML}`;
+      }),
+    );
   }
-  for (const wanted of ["Language", "About this page", "Structures", "Tour", "Quiz", "The female pelvis", "Seen from the front",
-                        "Show all", "Nearer", "Labels", "Find a structure", "Rectum", "Only this", "Detail Γ", "Begin the tour"])
+  for (const wanted of [
+    "Language",
+    "About this page",
+    "Structures",
+    "Tour",
+    "Quiz",
+    "The female pelvis",
+    "Seen from the front",
+    "Show all",
+    "Nearer",
+    "Labels",
+    "Find a structure",
+    "Rectum",
+    "Only this",
+    "Detail Γ",
+    "Begin the tour",
+  ])
     assert.ok(stops.has(wanted), `${wanted} in ${[...stops].join(" | ")}`);
   assert.ok(![...stops].some((stop) => stop.startsWith("?")), [...stops].join());
   await page.done();
@@ -153,7 +185,8 @@ async function touches(page, steps) {
   const start = Date.now() / 1000;
   let before = 0;
   for (const [step, points] of steps.entries()) {
-    const type = points.length > before ? "touchStart" : points.length === before && before > 0 ? "touchMove" : "touchEnd";
+    const type =
+      points.length > before ? "touchStart" : points.length === before && before > 0 ? "touchMove" : "touchEnd";
     const touchPoints = points.map(([x, y], id) => ({ x, y, id }));
     await session.send("Input.dispatchTouchEvent", { type, touchPoints, timestamp: start + 0.04 * step });
     before = points.length;
@@ -166,7 +199,22 @@ test("one finger turns, two zoom and move, a tap chooses", async () => {
   await touches(page, [[[200, 200]], [[220, 205]], [[250, 210]], []]);
   let calls = await page.calls();
   assert.ok(calls.length > 0 && calls.every((call) => call === "orbit"), calls.join());
-  await touches(page, [[[150, 200]], [[150, 200], [250, 200]], [[120, 200], [280, 200]], [[100, 200], [300, 200]], []]);
+  await touches(page, [
+    [[150, 200]],
+    [
+      [150, 200],
+      [250, 200],
+    ],
+    [
+      [120, 200],
+      [280, 200],
+    ],
+    [
+      [100, 200],
+      [300, 200],
+    ],
+    [],
+  ]);
   calls = await page.calls();
   assert.ok(calls.includes("zoom") && calls.includes("pan") && !calls.includes("orbit"), calls.join());
   assert.ok(await page.evaluate(() => window.engine.eye.scale > 1.5));

@@ -24,8 +24,14 @@ function membersOf(file) {
   const members = new Map();
   let at = bytes.readUInt32LE(end + 16);
   for (let left = bytes.readUInt16LE(end + 10); left > 0; --left) {
-    const [method, size, , name, extra, comment] = [bytes.readUInt16LE(at + 10), bytes.readUInt32LE(at + 20), 0,
-      bytes.readUInt16LE(at + 28), bytes.readUInt16LE(at + 30), bytes.readUInt16LE(at + 32)];
+    const [method, size, , name, extra, comment] = [
+      bytes.readUInt16LE(at + 10),
+      bytes.readUInt32LE(at + 20),
+      0,
+      bytes.readUInt16LE(at + 28),
+      bytes.readUInt16LE(at + 30),
+      bytes.readUInt16LE(at + 32),
+    ];
     const local = bytes.readUInt32LE(at + 42);
     const begin = local + 30 + bytes.readUInt16LE(local + 26) + bytes.readUInt16LE(local + 28);
     const packed = bytes.subarray(begin, begin + size);
@@ -42,8 +48,12 @@ function membersOf(file) {
 function faults(xml, edition, parts) {
   const home = join(schemas, "scorm", "lib", "schemas", "definitionFiles", edition);
   const wrapper = join(folder, `${edition}.xsd`);
-  writeFileSync(wrapper, `<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">${parts.map(([space, file]) =>
-    `<xs:import namespace="${space}" schemaLocation="${join(home, file)}"/>`).join("")}</xs:schema>`);
+  writeFileSync(
+    wrapper,
+    `<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">${parts
+      .map(([space, file]) => `<xs:import namespace="${space}" schemaLocation="${join(home, file)}"/>`)
+      .join("")}</xs:schema>`,
+  );
   const document = join(folder, "document.xml");
   writeFileSync(document, xml);
   try {
@@ -56,14 +66,24 @@ function faults(xml, edition, parts) {
 
 /** @type {{[kind: string]: [string, [string, string][]]}} */
 const scorm = {
-  scorm12: ["scorm12edition", [["http://www.imsproject.org/xsd/imscp_rootv1p1p2", "imscp_rootv1p1p2.xsd"],
-                               ["http://www.adlnet.org/xsd/adlcp_rootv1p2", "adlcp_rootv1p2.xsd"],
-                               ["http://www.imsglobal.org/xsd/imsmd_rootv1p2p1", "imsmd_rootv1p2p1.xsd"]]],
-  scorm2004: ["scorm20044thedition", [["http://www.imsglobal.org/xsd/imscp_v1p1", "imscp_v1p1.xsd"],
-                                      ["http://www.adlnet.org/xsd/adlcp_v1p3", "adlcp_v1p3.xsd"],
-                                      ["http://www.adlnet.org/xsd/adlseq_v1p3", "adlseq_v1p3.xsd"],
-                                      ["http://www.adlnet.org/xsd/adlnav_v1p3", "adlnav_v1p3.xsd"],
-                                      ["http://www.imsglobal.org/xsd/imsss", "imsss_v1p0.xsd"]]],
+  scorm12: [
+    "scorm12edition",
+    [
+      ["http://www.imsproject.org/xsd/imscp_rootv1p1p2", "imscp_rootv1p1p2.xsd"],
+      ["http://www.adlnet.org/xsd/adlcp_rootv1p2", "adlcp_rootv1p2.xsd"],
+      ["http://www.imsglobal.org/xsd/imsmd_rootv1p2p1", "imsmd_rootv1p2p1.xsd"],
+    ],
+  ],
+  scorm2004: [
+    "scorm20044thedition",
+    [
+      ["http://www.imsglobal.org/xsd/imscp_v1p1", "imscp_v1p1.xsd"],
+      ["http://www.adlnet.org/xsd/adlcp_v1p3", "adlcp_v1p3.xsd"],
+      ["http://www.adlnet.org/xsd/adlseq_v1p3", "adlseq_v1p3.xsd"],
+      ["http://www.adlnet.org/xsd/adlnav_v1p3", "adlnav_v1p3.xsd"],
+      ["http://www.imsglobal.org/xsd/imsss", "imsss_v1p0.xsd"],
+    ],
+  ],
 };
 
 for (const [kind, [edition, parts]] of Object.entries(scorm))
@@ -74,9 +94,11 @@ for (const [kind, [edition, parts]] of Object.entries(scorm))
     const named = [...manifest.matchAll(/<file href="([^"]*)"/g)].map((match) => match[1]).sort();
     assert.deepEqual(named, [...members.keys()].filter((name) => name !== "imsmanifest.xml").sort());
     // Schemas that accept everything would say nothing.
-    for (const spoilt of [manifest.replace("<organizations", "<organisations").replace("</organizations", "</organisations"),
-                          manifest.replace(/<item identifier="[^"]*"/, "<item"),
-                          manifest.replace(/<resources>[^]*<\/resources>/, "")])
+    for (const spoilt of [
+      manifest.replace("<organizations", "<organisations").replace("</organizations", "</organisations"),
+      manifest.replace(/<item identifier="[^"]*"/, "<item"),
+      manifest.replace(/<resources>[^]*<\/resources>/, ""),
+    ])
       assert.notEqual(faults(spoilt, edition, parts), "", "a spoilt manifest is refused");
   });
 
@@ -89,7 +111,10 @@ test("h5p.json is valid", { skip }, () => {
   const check = ajv.compile(read("h5p-schema.json"));
   const h5p = JSON.parse(String(membersOf(join(packages, "h5p.h5p")).get("h5p.json")));
   assert.ok(check(h5p), JSON.stringify(check.errors));
-  assert.ok(h5p.preloadedDependencies.some((one) => one.machineName === h5p.mainLibrary), "its main library is there");
+  assert.ok(
+    h5p.preloadedDependencies.some((one) => one.machineName === h5p.mainLibrary),
+    "its main library is there",
+  );
   for (const field of ["title", "mainLibrary", "preloadedDependencies"])
     assert.ok(!check({ ...h5p, [field]: undefined }), `without ${field} it is refused`);
 });

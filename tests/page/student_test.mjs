@@ -54,14 +54,18 @@ test("a click chooses, outlines and tells; the card's controls change what is se
   assert.ok(!(await labelsOf(page)).includes(labelOf(nodeNamed("sacrum").id).id), "what is hidden has no label");
   await page.mouse.click(spot.x, spot.y);
   await page.waitForTimeout(400);
-  assert.ok(!await page.locator("#card").isVisible() || await page.locator("#card h2").innerText() !== "sacrum",
-            "nor can it be chosen");
+  assert.ok(
+    !(await page.locator("#card").isVisible()) || (await page.locator("#card h2").innerText()) !== "sacrum",
+    "nor can it be chosen",
+  );
   await page.done();
 });
 
 test("groups are dressed together; sides are looked at from", { skip }, async () => {
   const page = await browsers.visit(file, { hash: "#view=1" });
-  const group = facts.nodes.find((node) => node.group && facts.nodes.filter((one) => one.parent === node.id && !one.group).length > 2);
+  const group = facts.nodes.find(
+    (node) => node.group && facts.nodes.filter((one) => one.parent === node.id && !one.group).length > 2,
+  );
   const [one, other] = facts.nodes.filter((node) => node.parent === group.id && !node.group);
   const row = (id) => page.locator(`li[data-id='${id}'] > .row`);
   const bare = await pictureAtRest(page);
@@ -73,16 +77,26 @@ test("groups are dressed together; sides are looked at from", { skip }, async ()
   await row(group.id).locator(".eye").click();
   assert.ok((await pictureAtRest(page)).data.equals(bare.data), "and shown");
   await row(group.id).locator(".gamma").fill("5");
-  assert.deepEqual([await row(one.id).locator(".gamma").inputValue(), await row(other.id).locator(".gamma").inputValue()], ["5", "5"]);
+  assert.deepEqual(
+    [await row(one.id).locator(".gamma").inputValue(), await row(other.id).locator(".gamma").inputValue()],
+    ["5", "5"],
+  );
   assert.ok(apart(bare, await pictureAtRest(page)) > 0.2, "and shaded");
-  for (const [side, letter] of [["left", "L"], ["behind", "P"], ["front", "A"]]) {
+  for (const [side, letter] of [
+    ["left", "L"],
+    ["behind", "P"],
+    ["front", "A"],
+  ]) {
     await page.getByRole("button", { name: side === "behind" ? "Seen from behind" : `Seen from the ${side}` }).click();
     await until(() => page.locator(".from[aria-pressed='true']").allInnerTexts(), [letter]);
   }
-  const letters = await page.locator(".edge-letter").evaluateAll((all) => all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
+  const letters = await page
+    .locator(".edge-letter")
+    .evaluateAll((all) => all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
   assert.deepEqual(letters.map(([letter]) => letter).sort(), ["I", "L", "R", "S"]);
   const middle = (await page.locator("#stage").boundingBox()).width / 2;
-  for (const [letter, x] of letters) assert.ok(letter === "R" ? x < middle : letter === "L" ? x > middle : true, letter);
+  for (const [letter, x] of letters)
+    assert.ok(letter === "R" ? x < middle : letter === "L" ? x > middle : true, letter);
   await page.done();
 });
 
@@ -94,7 +108,11 @@ test("names in texts light structures up; languages and numbers are in the pictu
   assert.match(page.url(), /#view=4&structure=urinary-bladder$/);
   const id = labelOf(nodeNamed("urinary bladder").id).id;
   const shown = () => page.locator(`.overlay .label[data-id='${id}'] .label-text`).allTextContents();
-  for (const [language, words] of [["de", "Harnblase"], ["la", "vesica urinaria"], ["en", "urinary bladder"]]) {
+  for (const [language, words] of [
+    ["de", "Harnblase"],
+    ["la", "vesica urinaria"],
+    ["en", "urinary bladder"],
+  ]) {
     await page.locator(".language").selectOption(language);
     await until(async () => (await shown()).join(" "), words);
     assert.equal(await page.locator("#card h2").innerText(), words);
@@ -110,7 +128,7 @@ test("names in texts light structures up; languages and numbers are in the pictu
 async function begun(page) {
   await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
   const round = page.locator(".round select");
-  if (await round.count()) await round.selectOption({ index: await round.locator("option").count() - 1 });
+  if (await round.count()) await round.selectOption({ index: (await round.locator("option").count()) - 1 });
   await page.getByRole("button", { name: "Begin", exact: true }).click();
 }
 
@@ -122,7 +140,10 @@ async function placesOf(page, question) {
   await page.getByRole("button", { name: "Answer by number" }).click();
   await until(() => labelsOf(page), []);
   const places = question.labels.map((label) => spots[label]);
-  assert.ok(places.every((place) => place), `${question.id}: what is asked for is in the picture`);
+  assert.ok(
+    places.every((place) => place),
+    `${question.id}: what is asked for is in the picture`,
+  );
   return places;
 }
 
@@ -143,7 +164,7 @@ const answers = {
     const places = await placesOf(page, question);
     for (const [i, { x, y }] of places.entries()) {
       const chip = page.locator(".chip", { hasText: new RegExp(`^${question.choices[i].en}$`) });
-      if (await chip.getAttribute("aria-pressed") === "false") await chip.click();
+      if ((await chip.getAttribute("aria-pressed")) === "false") await chip.click();
       await page.mouse.click(x, y);
       await until(() => page.locator(".chip.put").count(), i + 1, question.choices[i].en);
     }
@@ -164,7 +185,11 @@ test("each question can be answered by what its view shows", { skip }, async () 
     assert.ok(marks ? marked > 20 : marked === 0, `${question.id}: ${marked} pixels are marked`);
     await answers[question.kind](page, question);
     assert.equal(await verdict(page), "Right.", `${question.id} ${JSON.stringify(question.words)}`);
-    await until(() => labelsOf(page), [...question.labels].sort((a, b) => a - b), `${question.id} is named then`);
+    await until(
+      () => labelsOf(page),
+      [...question.labels].sort((a, b) => a - b),
+      `${question.id} is named then`,
+    );
     await page.locator("#quiz .on").click();
   }
   assert.equal(await page.locator(".score").innerText(), `${questions.length} of ${questions.length} right`);
@@ -184,32 +209,51 @@ test("a wrong place is told by its name, and the right one is marked", { skip },
   const other = questions.find((one) => one.kind === "find" && one.view === question.view && one.id !== question.id);
   const [place] = await placesOf(page, other);
   await page.mouse.click(place.x, place.y);
-  assert.match(await page.locator(".verdict").innerText(), new RegExp(`Not right\\.[^]*That was: ${other.words.en}[^]*marked now`));
+  assert.match(
+    await page.locator(".verdict").innerText(),
+    new RegExp(`Not right\\.[^]*That was: ${other.words.en}[^]*marked now`),
+  );
   assert.ok(outlined(await pictureAtRest(page)) > 20);
   await until(() => labelsOf(page), question.labels);
   await page.done();
 });
 
-test("typed names are those of the packages, and abbreviations among them", { skip: skip || (!process.env.PAGE_MOODLE && "no quiz was made") }, async () => {
-  const { readFileSync } = await import("node:fs");
-  const xml = readFileSync(process.env.PAGE_MOODLE ?? "", "utf8");
-  const text = (words) => words.replace(/&quot;/g, '"').replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&").replace(/\\\*/g, "*");
-  const asked = [...xml.matchAll(/<question type="shortanswer">([^]*?)<\/question>/g)].map(([, question]) =>
-    [...question.matchAll(/<answer fraction="100"[^>]*>\s*<text>([^<]*)<\/text>/g)].map(([, answer]) => text(answer)));
-  const { quiz } = facts;
-  const typed = quiz.questions.filter((question) => question.kind === "name");
-  assert.ok(asked.length >= typed.length && typed.length > 3);
-  for (const question of typed) {
-    const own = asked.find(([first]) => hashed(quiz.salt, first) === hashed(quiz.salt, question.words.en));
-    assert.ok(own, question.words.en);
-    assert.deepEqual([...new Set(own.map((name) => hashed(quiz.salt, name)))].filter((hash) => question.answers.includes(hash)).sort(),
-                     [...question.answers].sort(), `${question.words.en}: Moodle takes what the page takes`);
-  }
-  const artery = typed.find((question) => /artery/.test(question.words.en));
-  for (const name of ["A. iliaca externa sinistra", "left external iliac a."])
-    assert.ok(artery.answers.includes(hashed(quiz.salt, name)), name);
-  assert.ok(!artery.answers.includes(hashed(quiz.salt, "A. iliaca externa")), "a side is never left out");
-});
+test(
+  "typed names are those of the packages, and abbreviations among them",
+  { skip: skip || (!process.env.PAGE_MOODLE && "no quiz was made") },
+  async () => {
+    const { readFileSync } = await import("node:fs");
+    const xml = readFileSync(process.env.PAGE_MOODLE ?? "", "utf8");
+    const text = (words) =>
+      words
+        .replace(/&quot;/g, '"')
+        .replace(/&lt;/g, "<")
+        .replace(/&gt;/g, ">")
+        .replace(/&amp;/g, "&")
+        .replace(/\\\*/g, "*");
+    const asked = [...xml.matchAll(/<question type="shortanswer">([^]*?)<\/question>/g)].map(([, question]) =>
+      [...question.matchAll(/<answer fraction="100"[^>]*>\s*<text>([^<]*)<\/text>/g)].map(([, answer]) => text(answer)),
+    );
+    const { quiz } = facts;
+    const typed = quiz.questions.filter((question) => question.kind === "name");
+    assert.ok(asked.length >= typed.length && typed.length > 3);
+    for (const question of typed) {
+      const own = asked.find(([first]) => hashed(quiz.salt, first) === hashed(quiz.salt, question.words.en));
+      assert.ok(own, question.words.en);
+      assert.deepEqual(
+        [...new Set(own.map((name) => hashed(quiz.salt, name)))]
+          .filter((hash) => question.answers.includes(hash))
+          .sort(),
+        [...question.answers].sort(),
+        `${question.words.en}: Moodle takes what the page takes`,
+      );
+    }
+    const artery = typed.find((question) => /artery/.test(question.words.en));
+    for (const name of ["A. iliaca externa sinistra", "left external iliac a."])
+      assert.ok(artery.answers.includes(hashed(quiz.salt, name)), name);
+    assert.ok(!artery.answers.includes(hashed(quiz.salt, "A. iliaca externa")), "a side is never left out");
+  },
+);
 
 test("what is printed is what is seen", { skip }, async () => {
   const page = await browsers.visit(file, { hash: "#view=3" });
@@ -229,7 +273,7 @@ test("what is printed is what is seen", { skip }, async () => {
   assert.ok(printed.width > 1.5 * seen.width, "finer than on the screen");
   const words = await page.locator("#printed").innerText();
   for (const label of (await labelsOf(page)).map((id) => facts.labels.find((one) => one.id === id)))
-    assert.ok(words.includes(label.words.en[0][0].text) || await page.locator("#printed .label-text").count() > 0);
+    assert.ok(words.includes(label.words.en[0][0].text) || (await page.locator("#printed .label-text").count()) > 0);
   await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
   await page.done();
 });

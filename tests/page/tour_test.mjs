@@ -22,7 +22,11 @@ test("button, contents and keys lead through the views", async () => {
   assert.equal(await title(page), "The bladder from in front");
   await page.locator(".steps").getByRole("button", { name: "Next" }).click();
   assert.equal(await title(page), "Where ureter and artery cross");
-  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Next", "focus stays on the button");
+  assert.equal(
+    await page.evaluate(() => document.activeElement.getAttribute("aria-label")),
+    "Next",
+    "focus stays on the button",
+  );
   await page.keyboard.press("ArrowRight");
   assert.equal(await title(page), "Into the true pelvis");
   assert.match(await page.locator("#live").innerText(), /^3 of 3 Into the true pelvis$/);
@@ -62,10 +66,18 @@ test("names in texts light structures up, views' names go there", async () => {
 
 test("deep links", async () => {
   const address = pages.write();
-  for (const [hash, view, chosen] of [["#view=3", 3, []], ["#structure=left-ureter", 0, [7]], ["#structure=Linker%20Harnleiter", 0, [7]],
-                                      ["#structure=7,8", 0, [7, 8]], ["#view=1&structure=vesica-urinaria", 1, [6]],
-                                      ["#structure=vessels", 0, [11, 12, 13]], ["#view=99&structure=nobody", 0, []],
-                                      ["#view=-1", 0, []], ["#%E0%A4%A", 0, []], ["#view=1e0", 1, []]]) {
+  for (const [hash, view, chosen] of [
+    ["#view=3", 3, []],
+    ["#structure=left-ureter", 0, [7]],
+    ["#structure=Linker%20Harnleiter", 0, [7]],
+    ["#structure=7,8", 0, [7, 8]],
+    ["#view=1&structure=vesica-urinaria", 1, [6]],
+    ["#structure=vessels", 0, [11, 12, 13]],
+    ["#view=99&structure=nobody", 0, []],
+    ["#view=-1", 0, []],
+    ["#%E0%A4%A", 0, []],
+    ["#view=1e0", 1, []],
+  ]) {
     const page = await pages.visit(address + hash);
     assert.equal(await page.evaluate(() => window.engine.view), view, hash);
     await until(page.selected, chosen, hash);
@@ -80,9 +92,13 @@ test("deep links", async () => {
 
 test("languages: names and the page's own texts", async () => {
   const page = await pages.show({}, { hash: "#structure=rectum" });
-  for (const [language, structures, rectum] of [["de", "Strukturen", "Mastdarm"], ["nl", "Structuren", "Endeldarm"],
-                                                ["nb", "Strukturer", "Endetarm"], ["la", "Strukturer", "Rectum"],
-                                                ["en", "Structures", "Rectum"]]) {
+  for (const [language, structures, rectum] of [
+    ["de", "Strukturen", "Mastdarm"],
+    ["nl", "Structuren", "Endeldarm"],
+    ["nb", "Strukturer", "Endetarm"],
+    ["la", "Strukturer", "Rectum"],
+    ["en", "Structures", "Rectum"],
+  ]) {
     await page.locator(".language").selectOption(language);
     assert.equal(await page.locator(".panel-button span").first().innerText(), structures);
     assert.equal(await page.locator("#card h2").innerText(), rectum);
@@ -92,13 +108,21 @@ test("languages: names and the page's own texts", async () => {
 });
 
 test("the teacher's language comes first; the page's own texts are in it or in the browser's", async () => {
-  for (const [language, locale, words, name] of [["de", "en", "Strukturen", "Mastdarm"], ["nb", "de", "Strukturer", "Endetarm"],
-                                                 ["la", "nl", "Structuren", "Rectum"], ["la", "nn-NO", "Strukturer", "Rectum"],
-                                                 ["la", "fr", "Structures", "Rectum"], ["en", "de", "Structures", "Rectum"]]) {
-    const page = await pages.visit(pages.write({}, (parts) => {
-      parts.facts.language = language;
-      return parts;
-    }), { locale });
+  for (const [language, locale, words, name] of [
+    ["de", "en", "Strukturen", "Mastdarm"],
+    ["nb", "de", "Strukturer", "Endetarm"],
+    ["la", "nl", "Structuren", "Rectum"],
+    ["la", "nn-NO", "Strukturer", "Rectum"],
+    ["la", "fr", "Structures", "Rectum"],
+    ["en", "de", "Structures", "Rectum"],
+  ]) {
+    const page = await pages.visit(
+      pages.write({}, (parts) => {
+        parts.facts.language = language;
+        return parts;
+      }),
+      { locale },
+    );
     assert.equal(await page.locator(".panel-button span").first().innerText(), words, `${language} ${locale}`);
     assert.equal(await page.locator("li[data-id='15'] .row-name").innerText(), name);
     await page.done();
@@ -110,7 +134,10 @@ test("the teacher's language comes first; the page's own texts are in it or in t
 
 test("all texts are in four languages and name the same places", async () => {
   // Reporters say other things.
-  const used = pageModules().filter((file) => !basename(file).startsWith("report_")).map((file) => readFileSync(file, "utf8")).join("\n");
+  const used = pageModules()
+    .filter((file) => !basename(file).startsWith("report_"))
+    .map((file) => readFileSync(file, "utf8"))
+    .join("\n");
   for (const [key, row] of Object.entries(textTable)) {
     assert.equal(row.length, 4, key);
     const marks = (words) => [...words.matchAll(/\{\d\}|\|/g)].map(String).sort().join();
@@ -127,7 +154,14 @@ test("texts stay text", async () => {
   const address = pages.write({ title: hostile }, (parts) => {
     parts.facts.nodes[1].names = { en: hostile };
     parts.facts.views[0].title = { en: hostile };
-    parts.facts.views[0].words = { en: [[{ text: hostile, bold: true }, { text: "javascript:window.hacked=1", view: 2 }]] };
+    parts.facts.views[0].words = {
+      en: [
+        [
+          { text: hostile, bold: true },
+          { text: "javascript:window.hacked=1", view: 2 },
+        ],
+      ],
+    };
     parts.facts.views[0].alt = { en: hostile };
     parts.facts.labels[0].words = { en: [[{ text: hostile }]] };
     parts.facts.credits = [hostile];

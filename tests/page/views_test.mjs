@@ -70,7 +70,10 @@ for (const means of ["webgl", "canvas"])
 test("a view is the same wherever one comes from, and whatever was changed by hand before", { skip }, async () => {
   const page = await browsers.visit(file, { reducedMotion: "reduce" });
   const show = async (view) => {
-    await page.locator(".contents button").nth(view - 1).click();
+    await page
+      .locator(".contents button")
+      .nth(view - 1)
+      .click();
     return pictureAtRest(page);
   };
   const first = await show(1);
@@ -97,9 +100,16 @@ test("each view has its labels, in the tree its looks, in the section its cut", 
   for (const [i, { name, labels }] of views.entries()) {
     await goOn(page);
     assert.match(page.url(), new RegExp(`#view=${i + 1}$`));
-    assert.deepEqual(await labelsOf(page), [...labels].sort((a, b) => a - b), name);
+    assert.deepEqual(
+      await labelsOf(page),
+      [...labels].sort((a, b) => a - b),
+      name,
+    );
     for (const id of labels) {
-      const words = facts.labels.find((label) => label.id === id).words.en[0].map((run) => run.text).join("");
+      const words = facts.labels
+        .find((label) => label.id === id)
+        .words.en[0].map((run) => run.text)
+        .join("");
       const shown = await page.locator(`.overlay .label[data-id='${id}'] .label-text`).allTextContents();
       assert.equal(shown.join(" "), words);
     }
@@ -113,7 +123,10 @@ test("a hand on the scene ends the flight, and what the view shows is there", { 
   const page = await browsers.visit(file, { hash: "#view=1" });
   const before = await page.locator("li.structure .gamma").evaluateAll((all) => all.map((one) => one.value).join());
   const box = await page.locator("#stage").boundingBox();
-  await page.locator(".contents button").nth(views.length - 1).click();
+  await page
+    .locator(".contents button")
+    .nth(views.length - 1)
+    .click();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 20, box.y + box.height / 2, { steps: 3 });
@@ -121,7 +134,10 @@ test("a hand on the scene ends the flight, and what the view shows is there", { 
   const held = await pictureAtRest(page);
   await page.waitForTimeout(1700);
   assert.ok((await pictureAtRest(page)).data.equals(held.data), "it stays where it was taken hold of");
-  assert.notEqual(await page.locator("li.structure .gamma").evaluateAll((all) => all.map((one) => one.value).join()), before);
+  assert.notEqual(
+    await page.locator("li.structure .gamma").evaluateAll((all) => all.map((one) => one.value).join()),
+    before,
+  );
   assert.deepEqual(await labelsOf(page), views.at(-1).labels);
   await page.done();
 });

@@ -7,9 +7,11 @@ import { fileURLToPath } from "node:url";
 import vm from "node:vm";
 
 const pageFolder = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "..", "resources", "page");
-const source = execFileSync(process.env.SLINE_ESBUILD ?? "esbuild", ["--bundle", "--format=iife", "--global-name=reporters", "--log-level=warning"],
-                            { cwd: pageFolder, encoding: "utf8",
-                              input: 'export * from "./report_kinds.js"; export * from "./report_texts.js";' });
+const source = execFileSync(
+  process.env.SLINE_ESBUILD ?? "esbuild",
+  ["--bundle", "--format=iife", "--global-name=reporters", "--log-level=warning"],
+  { cwd: pageFolder, encoding: "utf8", input: 'export * from "./report_kinds.js"; export * from "./report_texts.js";' },
+);
 const program = new vm.Script(`${source}\nreporters;`);
 
 /** A frame that holds others: `api` are its own properties. */

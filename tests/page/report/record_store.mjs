@@ -30,9 +30,16 @@ export class RecordStore {
     ++this.sessions;
     this.tokenGiven = false;
     this.session = `session-${this.sessions}`;
-    return "?" + new URLSearchParams({
-      endpoint: "https://store.example/xapi", fetch: "https://store.example/token", registration: this.registration,
-      activityId: this.activity, actor: JSON.stringify(this.actor) });
+    return (
+      "?" +
+      new URLSearchParams({
+        endpoint: "https://store.example/xapi",
+        fetch: "https://store.example/token",
+        registration: this.registration,
+        activityId: this.activity,
+        actor: JSON.stringify(this.actor),
+      })
+    );
   }
 
   fetch = async (place, how = {}) => {
@@ -57,14 +64,24 @@ export class RecordStore {
   };
 
   answerState(query, how, reply) {
-    if (query.get("activityId") !== this.activity || query.get("registration") !== this.registration ||
-        query.get("agent") !== JSON.stringify(this.actor))
+    if (
+      query.get("activityId") !== this.activity ||
+      query.get("registration") !== this.registration ||
+      query.get("agent") !== JSON.stringify(this.actor)
+    )
       return reply(400);
     if (query.get("stateId") === "LMS.LaunchData") {
       if (how.method) return reply(403);
-      return reply(200, { launchMode: this.mode, moveOn: "CompletedOrPassed", masteryScore: this.masteryScore,
-                          contextTemplate: { extensions: {
-                            "https://w3id.org/xapi/cmi5/context/extensions/sessionid": this.session } } });
+      return reply(200, {
+        launchMode: this.mode,
+        moveOn: "CompletedOrPassed",
+        masteryScore: this.masteryScore,
+        contextTemplate: {
+          extensions: {
+            "https://w3id.org/xapi/cmi5/context/extensions/sessionid": this.session,
+          },
+        },
+      });
     }
     if (how.method === "PUT") {
       this.state = JSON.parse(how.body);
@@ -107,12 +124,18 @@ export class RecordStore {
     if (defined && object.id !== this.activity) fault("of another activity");
     if (name === "answered" && object.definition?.type !== "http://adlnet.gov/expapi/activities/cmi.interaction")
       fault("no interaction");
-    if (["completed", "passed", "failed", "terminated"].includes(name) && !/^PT\d+(\.\d+)?S$/.test(result?.duration ?? ""))
+    if (
+      ["completed", "passed", "failed", "terminated"].includes(name) &&
+      !/^PT\d+(\.\d+)?S$/.test(result?.duration ?? "")
+    )
       fault("no duration");
     if (name === "completed" && (result.completion !== true || result.score)) fault("completion");
     if (["passed", "failed"].includes(name) && result.success !== (name === "passed")) fault("success");
-    if (this.masteryScore !== undefined && ["passed", "failed"].includes(name) &&
-        (result.score.scaled >= this.masteryScore) !== (name === "passed"))
+    if (
+      this.masteryScore !== undefined &&
+      ["passed", "failed"].includes(name) &&
+      result.score.scaled >= this.masteryScore !== (name === "passed")
+    )
       fault("against the mastery score");
     if (this.mode !== "Normal" && !["initialized", "terminated"].includes(name)) fault(`in ${this.mode}`);
   }
@@ -122,8 +145,9 @@ export class RecordStore {
   }
 
   results() {
-    return new Map(this.of("answered").map((each) =>
-      [decodeURIComponent(each.object.id.split("#")[1]), each.result.success]));
+    return new Map(
+      this.of("answered").map((each) => [decodeURIComponent(each.object.id.split("#")[1]), each.result.success]),
+    );
   }
 }
 

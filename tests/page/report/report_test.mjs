@@ -12,10 +12,13 @@ const kinds = ["find", "name", "choose", "order", "drag"];
 /** Questions with answers, by chance. */
 function lesson(chance) {
   return Array.from({ length: 1 + chance.below(30) }, (_, i) => ({
-    id: `${kinds[chance.below(kinds.length)]}-${i + 1}`, kind: kinds[chance.below(kinds.length)],
+    id: `${kinds[chance.below(kinds.length)]}-${i + 1}`,
+    kind: kinds[chance.below(kinds.length)],
     words: ["ureter", "<img src=x onerror=alert(1)>", "Übergang „rechts“", "肝臓"][chance.below(4)],
     response: ["ureter", "\u0000\ud800 x\n".repeat(200), "“;[,]{}", ""][chance.below(4)],
-    correct: chance.happens(0.6), seconds: 100 * chance.next() }));
+    correct: chance.happens(0.6),
+    seconds: 100 * chance.next(),
+  }));
 }
 
 const rightOf = (answered) => [...answered.values()].filter(Boolean).length;
@@ -83,17 +86,22 @@ for (const kind of ["scorm12", "scorm2004"])
     for (let seed = 1; seed <= 100; ++seed) {
       const chance = new Chance(seed);
       const mastery = kind === "scorm12" ? "50" : "0.5";
-      const system = new ScormSystem(kind, { mode: ["normal", ""][chance.below(2)],
-                                             mastery: chance.happens(0.5) ? mastery : "",
-                                             neverCloses: chance.happens(0.2) });
+      const system = new ScormSystem(kind, {
+        mode: ["normal", ""][chance.below(2)],
+        mastery: chance.happens(0.5) ? mastery : "",
+        neverCloses: chance.happens(0.2),
+      });
       const questions = lesson(chance);
       const place = chance.below(3);
       const answered = await attend(chance, questions, {
         open() {
           const holder = frameAround(system.frame());
-          const page = place === 0 ? new PageWindow({ parent: holder })
-                     : place === 1 ? new PageWindow({ parent: frameAround({}, frameAround({}, holder)) })
-                                   : new PageWindow({ opener: frameAround({}, holder) });
+          const page =
+            place === 0
+              ? new PageWindow({ parent: holder })
+              : place === 1
+                ? new PageWindow({ parent: frameAround({}, frameAround({}, holder)) })
+                : new PageWindow({ opener: frameAround({}, holder) });
           return { page, reporter: page.reporter(kind) };
         },
         connect: (on) => (system.connected = on),
@@ -108,7 +116,8 @@ for (const kind of ["scorm12", "scorm2004"])
       assert.ok(Math.abs(system.share - share) < 1e-4, `attempt ${seed}: ${system.share}, not ${share}`);
       const status = system.value(kind === "scorm12" ? "cmi.core.lesson_status" : "cmi.completion_status");
       const passed = share >= 0.5 ? "passed" : "failed";
-      if (kind === "scorm12") assert.equal(status, system.value("cmi.student_data.mastery_score") ? passed : "completed");
+      if (kind === "scorm12")
+        assert.equal(status, system.value("cmi.student_data.mastery_score") ? passed : "completed");
       else {
         assert.equal(status, "completed");
         assert.equal(system.value("cmi.success_status"), system.value("cmi.scaled_passing_score") ? passed : "");
@@ -137,7 +146,8 @@ test("cmi5: a hundred attempts, a hundred right scores", async () => {
     });
     assert.deepEqual(store.faults, [], `attempt ${seed}`);
     const results = store.results();
-    for (const question of questions) assert.equal(results.get(question.id), question.correct, `attempt ${seed}, ${question.id}`);
+    for (const question of questions)
+      assert.equal(results.get(question.id), question.correct, `attempt ${seed}, ${question.id}`);
     const [scored] = [...store.of("passed"), ...store.of("failed"), ...store.of("scored")];
     const share = rightOf(answered) / questions.length;
     assert.ok(Math.abs(scored.result.score.scaled - share) < 1e-4, `attempt ${seed}`);
@@ -163,11 +173,14 @@ function opened(kind) {
 
 test("what could not be told is told as soon as the connection is back", async () => {
   for (const kind of ["scorm12", "scorm2004", "cmi5"])
-    for (const again of [(page) => page.runTimers(), (page) => page.tell("online"),
-                         (page) => {
-                           page.document.visibilityState = "hidden";
-                           page.tell("visibilitychange");
-                         }]) {
+    for (const again of [
+      (page) => page.runTimers(),
+      (page) => page.tell("online"),
+      (page) => {
+        page.document.visibilityState = "hidden";
+        page.tell("visibilitychange");
+      },
+    ]) {
       const { system, page, arrived } = opened(kind);
       const reporter = page.reporter(kind);
       const begun = reporter.begin(2);
@@ -224,7 +237,11 @@ test("an attempt that has ended is not ended again", async () => {
 });
 
 test("what is reviewed or browsed is not told", async () => {
-  for (const [kind, mode] of [["scorm12", "review"], ["scorm12", "browse"], ["scorm2004", "review"]]) {
+  for (const [kind, mode] of [
+    ["scorm12", "review"],
+    ["scorm12", "browse"],
+    ["scorm2004", "review"],
+  ]) {
     const system = new ScormSystem(kind, { mode });
     const page = new PageWindow({ parent: frameAround(system.frame()) });
     const reporter = page.reporter(kind);
@@ -249,7 +266,14 @@ test("what is reviewed or browsed is not told", async () => {
 });
 
 test("without a learning system a page works by itself", async () => {
-  const stranger = new Proxy({}, { get() { throw new Error("of another origin"); } });
+  const stranger = new Proxy(
+    {},
+    {
+      get() {
+        throw new Error("of another origin");
+      },
+    },
+  );
   for (const kind of ["scorm12", "scorm2004", "cmi5", undefined])
     for (const parent of [undefined, stranger]) {
       const page = new PageWindow(parent ? { opener: stranger } : {});
@@ -278,10 +302,23 @@ test("the results stay until the page is left", async () => {
 
 test("what is suspended is read again, and nothing else", () => {
   const { scripts } = new PageWindow();
-  const answered = new Map([["find-1", true], ["name+2 %", false], ["肝臓", true]]);
+  const answered = new Map([
+    ["find-1", true],
+    ["name+2 %", false],
+    ["肝臓", true],
+  ]);
   const read = scripts.answeredIn(scripts.suspendedText(answered, 4096));
   assert.equal(JSON.stringify([...read]), JSON.stringify([...answered]));
-  assert.equal(scripts.suspendedText(new Map([["a", true], ["b", false]]), 8), "sline1+a");
+  assert.equal(
+    scripts.suspendedText(
+      new Map([
+        ["a", true],
+        ["b", false],
+      ]),
+      8,
+    ),
+    "sline1+a",
+  );
   for (const foreign of ["", "sline1+%", "sline2+a", "<img>", "sline1++a"])
     assert.equal(scripts.answeredIn(foreign).size, 0, foreign);
   assert.equal(scripts.clockTime(3723.5), "0001:02:03.50");

@@ -5,18 +5,23 @@
 
 const clock12 = /^\d{2,4}:[0-5]\d:[0-5]\d(\.\d{1,2})?$/;
 const percent = (text) => /^-?\d+(\.\d+)?$/.test(text) && Number(text) >= 0 && Number(text) <= 100;
-const oneOf = (...values) => (text) => values.includes(text);
+const oneOf =
+  (...values) =>
+  (text) =>
+    values.includes(text);
 const atMost = (count) => (text) => text.length <= count;
 
 const versions = {
   scorm12: {
-    api: "API", prefix: "LMS", finish: "Finish", notRunning: "301",
+    api: "API",
+    prefix: "LMS",
+    finish: "Finish",
+    notRunning: "301",
     elements: {
       "cmi.core._children": { reads: true },
       "cmi.core.lesson_mode": { reads: true },
       "cmi.core.entry": { reads: true },
-      "cmi.core.lesson_status": { reads: true,
-        takes: oneOf("passed", "completed", "failed", "incomplete", "browsed") },
+      "cmi.core.lesson_status": { reads: true, takes: oneOf("passed", "completed", "failed", "incomplete", "browsed") },
       "cmi.core.score.raw": { reads: true, takes: percent },
       "cmi.core.score.min": { reads: true, takes: percent },
       "cmi.core.score.max": { reads: true, takes: percent },
@@ -35,10 +40,15 @@ const versions = {
       weighting: (text) => /^-?\d+(\.\d+)?$/.test(text),
       latency: (text) => clock12.test(text),
     },
-    exit: "cmi.core.exit", mode: "cmi.core.lesson_mode", status: "cmi.core.lesson_status",
+    exit: "cmi.core.exit",
+    mode: "cmi.core.lesson_mode",
+    status: "cmi.core.lesson_status",
   },
   scorm2004: {
-    api: "API_1484_11", prefix: "", finish: "Terminate", notRunning: "132",
+    api: "API_1484_11",
+    prefix: "",
+    finish: "Terminate",
+    notRunning: "132",
     elements: {
       "cmi.mode": { reads: true },
       "cmi.entry": { reads: true },
@@ -57,8 +67,18 @@ const versions = {
     },
     interaction: {
       id: (text) => /^[\w.:-]{1,4000}$/.test(text),
-      type: oneOf("true-false", "choice", "fill-in", "long-fill-in", "matching", "performance", "sequencing",
-                  "likert", "numeric", "other"),
+      type: oneOf(
+        "true-false",
+        "choice",
+        "fill-in",
+        "long-fill-in",
+        "matching",
+        "performance",
+        "sequencing",
+        "likert",
+        "numeric",
+        "other",
+      ),
       timestamp: (text) => /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,2}(Z|[+-]\d\d(:\d\d)?)?)?$/.test(text),
       learner_response: atMost(250),
       result: oneOf("correct", "incorrect", "unanticipated", "neutral"),
@@ -66,7 +86,9 @@ const versions = {
       latency: (text) => /^PT\d+(\.\d{1,2})?S$/.test(text),
       description: atMost(250),
     },
-    exit: "cmi.exit", mode: "cmi.mode", status: "cmi.completion_status",
+    exit: "cmi.exit",
+    mode: "cmi.mode",
+    status: "cmi.completion_status",
   },
 };
 
@@ -80,8 +102,11 @@ export class ScormSystem {
     this.version = versions[kind];
     this.kind = kind;
     this.neverCloses = neverCloses;
-    this.kept = new Map([[this.version.mode, mode], [this.version.status, "not attempted"],
-                         [kind === "scorm12" ? "cmi.student_data.mastery_score" : "cmi.scaled_passing_score", mastery]]);
+    this.kept = new Map([
+      [this.version.mode, mode],
+      [this.version.status, "not attempted"],
+      [kind === "scorm12" ? "cmi.student_data.mastery_score" : "cmi.scaled_passing_score", mastery],
+    ]);
     if (kind === "scorm12") this.kept.set("cmi.core._children", "lesson_mode,lesson_status,score,exit,entry");
     /** @type {Map<string, string>[]} */
     this.interactions = [];
@@ -98,8 +123,16 @@ export class ScormSystem {
     this.freshInteractions = [];
     const { prefix, finish } = this.version;
     const api = {};
-    for (const name of ["Initialize", "GetValue", "SetValue", "Commit", finish, "GetLastError",
-                        "GetErrorString", "GetDiagnostic"])
+    for (const name of [
+      "Initialize",
+      "GetValue",
+      "SetValue",
+      "Commit",
+      finish,
+      "GetLastError",
+      "GetErrorString",
+      "GetDiagnostic",
+    ])
       api[prefix + name] = (...values) => this.answer(name, values);
     if (this.neverCloses) delete api[prefix + finish];
     return { [this.version.api]: api };
@@ -200,7 +233,8 @@ export class ScormSystem {
   }
 
   get share() {
-    return this.kind === "scorm12" ? Number(this.value("cmi.core.score.raw")) / 100
-                                   : Number(this.value("cmi.score.scaled"));
+    return this.kind === "scorm12"
+      ? Number(this.value("cmi.core.score.raw")) / 100
+      : Number(this.value("cmi.score.scaled"));
   }
 }
