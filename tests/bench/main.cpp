@@ -390,6 +390,8 @@ void addPlateOptions(CLI::App& app, bench::PlateCourse& course) {
   app.add_option("--judge-every", course.judged,
                  "Of every so many plates: whether leaders end on what they name")
       ->check(CLI::Range(1, 1000));
+  app.add_flag("--near-plates", course.near,
+               "Of plates: those alone that anatomy may fill, as their camera is near");
   app.add_flag("--unruled", course.unruled,
                "Of plates: what the rules for ink and for the foot are good for, too");
   app.add_option("--keep-plates", course.folder, "Where plates with faults go");

@@ -35,6 +35,8 @@ Status countPlates(render::Picture& picture, const model::Scene& scene, const Pl
   std::map<std::string, std::pair<int, test::ProductProof>> sums;
   for (int k = 0; k < course.products; ++k) {
     const int index = k % test::mostProducts;
+    if (course.near && !test::isNear(index))
+      continue;
     const auto product = test::productOf(scene, index, tools);
     if (!product)
       return product.error();
@@ -49,7 +51,7 @@ Status countPlates(render::Picture& picture, const model::Scene& scene, const Pl
     auto& [count, sum] = sums[product->kind];
     ++count;
     sum.add(*proof);
-    if (course.folder.empty() || proof->clean(product->near))
+    if (course.folder.empty() || proof->clean())
       continue;
     for (const bool ink : {false, true})
       for (std::size_t i = 0; i < product->colour.size(); ++i)

@@ -14,6 +14,7 @@ namespace sline::bench {
 struct PlateCourse {
   int products = 0;      ///< how many are made
   int judged = 0;        ///< of every so many it is judged whether leaders end on what they name
+  bool near = false;     ///< those alone whose camera is near
   bool unruled = false;  ///< tells also what the rules for ink and for the foot are good for
   std::string folder;    ///< where pictures with faults go; empty: nowhere
 };

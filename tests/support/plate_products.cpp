@@ -94,7 +94,7 @@ class Making {
         m_kind(kinds[std::size_t(index) % kinds.size()]),
         m_side(sides[std::size_t(index / int(kinds.size())) % sides.size()]),
         m_size(index % 20 == 7 ? largest : sizes[std::size_t(index) % sizes.size()]),
-        m_near(index % 5 == 3),
+        m_near(isNear(index)),
         m_cut(index % 7 == 4) {}
 
   Result<Product> make() {
@@ -126,7 +126,6 @@ class Making {
                     .name = std::string(m_kind) + ", " + m_side.name + (m_near ? ", near" : "") +
                             (m_cut ? ", section" : ""),
                     .height = std::clamp(m_size.height, 600, 1200),
-                    .near = m_near,
                     .colour = {},
                     .ink = {}};
     for (const bool ink : {false, true}) {

@@ -26,9 +26,6 @@ struct Product {
   std::string kind;
   std::string name;  ///< the kind, the side it is seen from and how it looks
   int height = 600;  ///< pixels of its parts
-  /// The camera is so near that anatomy may fill the whole picture: labels have no ground to stand
-  /// on but anatomy.
-  bool near = false;
   std::vector<PrintedPart> colour;
   std::vector<PrintedPart> ink;
 };
@@ -41,6 +38,10 @@ struct ProductTools {
 
 /// Holds how many products a scene gives, at most, and which of them are made: every so many.
 inline constexpr int mostProducts = 60;
+/// Tells whether that product's camera is so near that anatomy may fill the whole picture.
+inline bool isNear(int index) {
+  return index % 5 == 3;
+}
 /// Makes that one of the scene's products, 0 … mostProducts − 1. The scene is as it was read.
 Result<Product> productOf(const model::Scene& scene, int index, ProductTools& tools);
 
@@ -63,9 +64,8 @@ struct ProductProof {
   int elsewhereAlone = 0;
   int overUncut = 0;
   int pixelsUncut = 0;
-  bool clean(bool near) const {
-    return overAnatomy + (near ? 0 : labelsOver) + throughDots + throughTexts + crossings + astray +
-               elsewhere ==
+  bool clean() const {
+    return overAnatomy + labelsOver + throughDots + throughTexts + crossings + astray + elsewhere ==
            0;
   }
   void add(const ProductProof& other);

@@ -146,7 +146,7 @@ class WritingProofTest : public QObject {
       qWarning("%s", line.c_str());
     QVERIFY(proof->labels > 0);
     QVERIFY(proof->marks > 0);
-    QVERIFY(proof->clean(product->near));
+    QVERIFY(proof->clean());
   }
 
  private:
