@@ -188,7 +188,7 @@ void InkscapeTest::savedAgainItIsTheSame() {
   QCOMPARE(named(ours.labels), named(ours.titles));
   if (plain)
     return;
-  QCOMPARE(ours.layers, (QStringList{"fills", "lines", "labels", "marks"}));
+  QCOMPARE(ours.layers, (QStringList{"fills", "lines", "marks", "labels"}));
   QCOMPARE(theirs.layers, ours.layers);
   QCOMPARE(named(theirs.labels), named(ours.labels));
   for (const QString& layer : ours.layers)

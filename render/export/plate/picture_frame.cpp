@@ -117,11 +117,11 @@ void addFrame(Marks& marks, const LabelBox& frame, const ExportOrder& order) {
   // Pens reach a little beyond the page on paper that goes on there.
   constexpr float beyond = 0.6f;
   const LabelBox all = LabelBox{glm::vec2(0.0f), order.page.sizeMm}.grown(beyond);
-  addGround(marks,
-            std::array<LabelBox, 4>{{{all.low, {all.high.x, frame.low.y}},
-                                     {{all.low.x, frame.high.y}, all.high},
-                                     {{all.low.x, frame.low.y}, {frame.low.x, frame.high.y}},
-                                     {{frame.high.x, frame.low.y}, {all.high.x, frame.high.y}}}});
+  // They lie over each other: where edges meet within a pixel the drawing would shine through.
+  addGround(marks, std::array<LabelBox, 4>{{{all.low, {all.high.x, frame.low.y}},
+                                            {{all.low.x, frame.high.y}, all.high},
+                                            {all.low, {frame.low.x, all.high.y}},
+                                            {{frame.high.x, all.low.y}, all.high}}});
   LetteringItem item{.name = std::string(frameName), .shapes = {}, .text = {}};
   item.shapes.push_back({.path = roundedBox(frame.low, frame.high, 0.0f),
                          .pen = framePen,
