@@ -62,8 +62,11 @@ std::optional<LabelBox> frameBeside(const ExportOrder& order, const LabelPlate& 
   for (const ShownLabel& label : labels.labels)
     if (!label.item.offset)
       widest = std::max(widest, label.item.box.x);
-  float column = std::min(widest + besideColumnMm(), 0.5f * (1.0f - leastShare) * page.x);
-  if (marks.legend)
+  const float most = 0.5f * (1.0f - leastShare) * page.x;
+  float column = std::min(widest + besideColumnMm(), most);
+  // A legend that is wider than that finds no room, which is told; names stand beside what they
+  // name.
+  if (marks.legend && page.x - marks.legend->low.x <= most)
     column = std::max(column, page.x - marks.legend->low.x);
   const glm::vec2 around{
       column, std::max(markMargin, std::max(marks.edges.top, marks.edges.bottom) + framePen)};
