@@ -183,6 +183,21 @@ class LabelAnchorsTest : public QObject {
     QCOMPARE(hiddenWith(4.0f).second, 1.0f);
   }
 
+  /// On a dark ground light enters first where a surface faces the eye, on paper shadow at its rim.
+  void lightEntersOnADarkGround() {
+    Two two = twoSpheres();
+    model::Style style{.gamma = Gamma::clamped(3.3f)};
+    style.fill = model::Fill::none;
+    const model::ResolvedStyle look = styled(two.scene, two.small, style).resolve(two.small);
+    constexpr float rim = 0.1f;
+    const SeenLook onPaper(look);
+    const SeenLook onDark(look, true);
+    QVERIFY(onPaper.surface(1.0f).cover < 0.01f && onPaper.surface(rim).cover > 0.3f);
+    QVERIFY(onDark.surface(1.0f).cover > 0.3f && onDark.surface(rim).cover < 0.1f);
+    // What has entered of a rim is dark on either ground, of the middle light.
+    QVERIFY(onDark.surface(1.0f).colour > 0.9f * onDark.surface(1.0f).cover);
+  }
+
   void clearThingsHideNothing_data() {
     QTest::addColumn<float>("gamma");
     QTest::addColumn<float>("opacity");
