@@ -21,9 +21,6 @@ namespace sline::render {
 
 namespace {
 
-/// The stored value of hidden ink that covers all; a halo is more (layers.glsl).
-constexpr float hiddenCoverage = 0.5f;
-
 /// A piece of a stroke as it is drawn: a capsule, and what of it is in sight. See capsule.glsl.
 struct Capsule {
   glm::vec2 a;  ///< where the stroke's own middle runs
@@ -285,7 +282,8 @@ class CapsuleDrawer {
         grained(wide_rule::penCoverage(halfWidth, distance, 1.0f) * opacity, spots);
     const unsigned inked = seen & bitsOf(coverage > least);
     if (m_draw.kind == InkKind::hidden) {
-      const WholeLanes bytes = wholesOf(255.0f * clamped(hiddenCoverage * coverage, 0.0f, 1.0f));
+      const WholeLanes bytes =
+          wholesOf(255.0f * clamped(rule::hiddenStored * coverage, 0.0f, 1.0f));
       forEachBit(inked, [&](std::size_t lane) {
         raise(spots.at + lane, std::uint16_t(bytes[lane] << 8));
       });

@@ -16,7 +16,7 @@ namespace sline::render {
 
 namespace {
 
-/// A placeholder of page.html, and what stands in its place.
+/// A name that page.html has in braces, and what stands in its place.
 using Filling = std::pair<std::string, std::string>;
 
 /// Returns the template without its comment and with each "{{NAME}}" replaced. What was put in is

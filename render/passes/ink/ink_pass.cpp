@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "render/passes/shader_files.h"
+#include "render/sight/rules.h"
 
 namespace sline::render::passes {
 
@@ -80,9 +81,6 @@ std::optional<gpu::ProgramRecipe> grainedRecipe(InkKind kind) {
   recipe.uniforms.push_back({"grain", gpu::UniformType::vec2});
   return recipe;
 }
-
-// The stored value of hidden ink that covers all; more means a halo (resolve.frag.glsl).
-constexpr float hiddenCoverage = 0.5f;
 
 gpu::ProgramRecipe sightRecipe() {
   using gpu::UniformType;
@@ -314,7 +312,7 @@ void InkPass::drawRun(gpu::Device& device, const InkTargets& targets, const InkS
   }
   if (isOutline(draw.kind)) {
     program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)
-                                                          : glm::vec2(0.0f, hiddenCoverage));
+                                                          : glm::vec2(0.0f, rule::hiddenStored));
   }
   if (grained)
     program.set("grain", glm::vec2(draw.grain, draw.grainSize));

@@ -13,8 +13,9 @@
 CONSTANT float hidesAll = 0.998f;
 // Lines that show through what lies before them have this share of their ink.
 CONSTANT float hiddenShare = 0.5f;
-// A layer stores the coverage of its hidden lines below this, and above it that it keeps lines
-// behind it away.
+// A layer stores this share of the coverage of its hidden lines, and above the next number that it
+// keeps lines behind it away.
+CONSTANT float hiddenStored = 0.5f;
 CONSTANT float haloAbove = 0.75f;
 
 // Returns a channel of a colour over another; both are premultiplied but for `opacity`.
@@ -36,6 +37,6 @@ RULE bool liesBefore(float depth, float order, float otherDepth, float otherOrde
 
 // Returns the coverage by hidden lines that a stored value stands for.
 RULE float hiddenCoverage(float stored) {
-  return stored > haloAbove ? 0.0f : min(2.0f * stored, 1.0f) * hiddenShare;
+  return stored > haloAbove ? 0.0f : min(stored / hiddenStored, 1.0f) * hiddenShare;
 }
 #endif
