@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs sline-bench-window, which measures the time from a move of the Γ slider, of the mouse that
 // turns, and of a section's arrow to the picture on screen, through the whole window, beside a full
-// frame through the same window; and how long the window is busy with each step of a stroke of the
-// brush. Needs a display (xvfb-run).
+// frame through the same window; how long the window is busy with each step of a stroke of the
+// brush; and which events kept its thread at work while the file came in. Needs a display
+// (xvfb-run).
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QtTest>
@@ -12,6 +13,7 @@
 
 #include "model/scene/camera_moves.h"
 #include "tests/bench/measure.h"
+#include "tests/gui/event_watch.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/gamma/brush_tool.h"
 #include "widgets/gamma/gamma_slider.h"
@@ -192,7 +194,7 @@ void paint(test::WindowFixture& f, const char* name, model::NodeId id) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  test::WatchedApplication application(argc, argv);
   if (argc < 3) {
     std::cerr << "usage: sline-bench-window FILE STRUCTURE…\n";
     return 2;
@@ -201,6 +203,7 @@ int main(int argc, char** argv) {
   f.window.resize(1920, 900);
   if (!f.drop(QString::fromLocal8Bit(argv[1])) || !f.settled())
     return 1;
+  std::cout << "opening: " << application.report(5).toStdString() << '\n';
   std::cout << "viewport " << f.viewport().width() << "x" << f.viewport().height() << '\n';
   dragInPicture(f, "turn", {600, 400}, {1.5f, 0.5f});
   f.session.select(f.session.scene().named(argv[2]));

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -240,11 +239,9 @@ class ComparisonWindowTest : public QObject {
     // Who closes the window at once gets the sheet all the same, and waits for nothing.
     const QString later = desk.folder.filePath(QStringLiteral("later.pdf"));
     dialog.save(later);
-    QElapsedTimer closing;
-    closing.start();
     QTest::keyClick(&dialog, Qt::Key_Escape);
+    QVERIFY(!dialog.isVisible() && !QFile::exists(later));
     QTRY_VERIFY(!desk.window.findChild<ComparisonDialog*>());
-    QVERIFY2(closing.elapsed() < 2000, qPrintable(QString::number(closing.elapsed())));
     QVERIFY(desk.settled());
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(later), 120'000);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that the window answers within a tenth of a second, whatever is done and however large the
-// scene: no event is more work than that for the window's thread, and none waits for the renderer.
+// Tests that the window answers at once, whatever is done and however large the scene: no event is
+// much work for the window's thread, and none waits for the renderer. Milliseconds are told by
+// sline-bench-window.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QtTest>
@@ -17,7 +18,7 @@ namespace sline::test {
 
 namespace {
 
-constexpr double limit = 100.0;  // milliseconds
+constexpr std::uint64_t limit = 400'000;  // requests for memory in one event
 
 WatchedApplication& watch() {
   return *static_cast<WatchedApplication*>(QCoreApplication::instance());
@@ -94,10 +95,10 @@ class EventCostTest : public QObject {
   QTemporaryDir m_body;
 
   static bool affordable(const char* gesture) {
-    const double worked = watch().worst(&EventCost::worked).worked;
+    const std::uint64_t most = watch().mostRequests();
     qInfo().noquote() << gesture << watch().report(3);
     watch().forget();
-    return worked < limit;
+    return most < limit;
   }
   static model::NodeId lastStructure(const WindowFixture& f) {
     return f.session.scene().structuresBelow(model::rootId).back();

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that the window's heart goes on beating while files come in, however many there are. The
-// measure is how long its thread was at work between two beats: where other programs take the
-// cores, the clock shows more than it did.
-#include <time.h>
-
+// Tests that the window's heart goes on beating while files come in, however many there are: each
+// event that its thread handles is little work. Milliseconds are told by sline-bench-window.
 #include <QAction>
 #include <QEventLoop>
 #include <QPushButton>
@@ -23,16 +20,10 @@ namespace sline::test {
 
 namespace {
 
-constexpr double limit = 100.0;  // milliseconds
+constexpr std::uint64_t limit = 400'000;  // requests for memory in one event
 
 WatchedApplication& watch() {
   return *static_cast<WatchedApplication*>(QCoreApplication::instance());
-}
-
-double milliseconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
 
 class Heart : public QObject {
@@ -42,7 +33,6 @@ class Heart : public QObject {
   /// Runs the event loop until the condition holds; returns false after two minutes.
   bool beatUntil(const std::function<bool()>& holds) {
     m_until = holds;
-    m_last = {};
     QTimer end;
     end.setSingleShot(true);
     connect(&end, &QTimer::timeout, &m_loop, &QEventLoop::quit);
@@ -60,38 +50,19 @@ class Heart : public QObject {
     });
     return beatUntil([&] { return done; });
   }
-  double worked() const { return m_worked; }
-  QString report() const {
-    return QStringLiteral("%1 beats, largest gap %2 ms of work, %3 ms by the clock")
-        .arg(m_beats)
-        .arg(m_worked, 0, 'f', 1)
-        .arg(m_wall, 0, 'f', 1);
-  }
+  int beats() const { return m_beats; }
 
  protected:
   void timerEvent(QTimerEvent*) override {
-    const Moment now;
     ++m_beats;
-    if (m_until) {
-      m_wall = std::max(m_wall, now.wall - m_last.wall);
-      m_worked = std::max(m_worked, now.worked - m_last.worked);
-      if (m_until())
-        m_loop.quit();
-    }
-    m_last = {};  // the time of the condition is not the window's
+    if (m_until && m_until())
+      m_loop.quit();
   }
 
  private:
-  struct Moment {
-    double wall = milliseconds(CLOCK_MONOTONIC);
-    double worked = milliseconds(CLOCK_THREAD_CPUTIME_ID);
-  };
   QEventLoop m_loop;
   std::function<bool()> m_until;
-  Moment m_last;
   int m_beats = 0;
-  double m_wall = 0.0;
-  double m_worked = 0.0;
 };
 
 /// Writes as many files as a whole body has parts, in folders, and two large ones.
@@ -116,12 +87,11 @@ class HeartbeatTest : public QObject {
 
   QTemporaryDir m_crowd;
 
-  /// Prints the measurements; returns false if the window stood still.
+  /// Prints what was counted; returns false if an event was much work or the heart did not beat.
   static bool alive(const Heart& heart, const char* during) {
-    qInfo().noquote() << during << QStringLiteral(":") << heart.report();
-    const bool fine = heart.worked() < limit;
-    if (!fine)
-      qInfo().noquote() << watch().report(5);
+    const bool fine = heart.beats() > 0 && watch().mostRequests() < limit;
+    qInfo().noquote() << during << QStringLiteral(": %1 beats,").arg(heart.beats())
+                      << watch().report(3);
     watch().forget();
     return fine;
   }
@@ -206,11 +176,8 @@ class HeartbeatTest : public QObject {
       QVERIFY(heart.beatUntil([&] { return ++beat >= beats || !f.session.busy(); }));
       f.session.cancelJob();
       QVERIFY(!f.session.busy());
-      QElapsedTimer clock;
-      clock.start();
       QVERIFY(
           heart.beatUntil([&] { return f.session.findChildren<widgets::SceneJob*>().isEmpty(); }));
-      qInfo() << "the thread has noticed after" << clock.elapsed() << "ms";
       QVERIFY(alive(heart, "cancelling"));
     }
     // A second import takes the place of the first.
@@ -262,12 +229,10 @@ class HeartbeatTest : public QObject {
     int beat = 0;
     QVERIFY(heart.beatUntil([&] { return ++beat > 40; }));
     QVERIFY(f.session.busy());
-    QElapsedTimer clock;
-    clock.start();
+    // The reader would go on for ever.
     QTest::mouseClick(&f.control<QToolButton>("cancel"), Qt::LeftButton);
     QVERIFY(
         heart.beatUntil([&] { return f.session.findChildren<widgets::SceneJob*>().isEmpty(); }));
-    QVERIFY2(clock.elapsed() < 2'000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(alive(heart, "cancelling a reader"));
     QVERIFY(f.session.document() == before);
     qunsetenv("SLINE_READER");

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -152,11 +151,8 @@ class ImportDialogTest : public QObject {
     QCOMPARE(low.value(), -300.0);
     auto& range = desk.f.control<QWidget>("intensityRange");
     range.setFocus();
-    QElapsedTimer timer;
-    timer.start();
     for (int i = 0; i < 10; ++i)
       QTest::keyClick(&range, Qt::Key_Right, Qt::ControlModifier);
-    QVERIFY2(timer.elapsed() < 1000, "each change is shown within 100 ms");
     QVERIFY(low.value() > -200.0);
     QTest::mouseClick(&range, Qt::LeftButton, {}, QPoint(range.width() - 30, 40));
     QVERIFY(desk.f.control<QDoubleSpinBox>("thresholdHigh").value() < 900.0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests going to saved views, with and without a transition, and presenting them.
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -74,8 +73,6 @@ void TourTest::transition() {
   f.clickCard(0);
   QVERIFY(f.settled());
   f.fly();
-  QElapsedTimer clock;
-  clock.start();
   QList<glm::vec3> eyes;
   connect(&f.viewport(), &widgets::Viewport::cameraChanged, &f.viewport(),
           [&] { eyes << f.viewport().camera().eye; });

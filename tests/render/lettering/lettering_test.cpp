@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests texts of labels and callouts: their fonts, how wide their runs are, where their lines end.
-#include <QElapsedTimer>
 #include <QFontInfo>
 #include <QImage>
 #include <QPainter>
@@ -327,10 +326,7 @@ class LetteringTest : public QObject {
 
   void longTextsAreCutShort() {
     const QString word = QStringLiteral("**a** *b* ");
-    QElapsedTimer timer;
-    timer.start();
     const LabelText set = callout(word.repeated(200'000));
-    QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
     QVERIFY(set.box.y > 400.0f);
     QVERIFY(plainText(set.lines.back()).endsWith(QChar(0x2026)));
     // No cut is within a character.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the patterns of cut faces in a view: which structures have them, that they stay while the
 // camera turns, and their layer in a vector drawing.
-#include <QElapsedTimer>
 #include <QtTest>
 
 #include "model/edit/sections.h"
@@ -123,7 +122,8 @@ void CutTissueTest::hullsAreBlank() {
   QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(CutPattern::plain));
 }
 
-/// A picture in which no surface is another asks again for nothing.
+/// A picture in which no surface is another asks again for nothing: to look each time would not
+/// come to an end.
 void CutTissueTest::hullsAreFoundOnce() {
   model::Scene scene;
   const model::NodeId hull = scene.append({.name = "hull", .mesh = test::sphere(20.0f, 6)});
@@ -131,21 +131,14 @@ void CutTissueTest::hullsAreFoundOnce() {
     scene.append({.name = "beside",
                   .mesh = test::moved(*test::sphere(2.0f, 2), 1.0f, {13.0f, 13.0f, 13.0f})});
   render::Hulls hulls;
-  const auto asked = [&] {
-    QElapsedTimer clock;
-    clock.start();
+  const auto isAround = [&] {
     hulls.take(scene);
-    const bool around = hulls.isAroundOthers(scene.find(hull)->mesh);
-    return std::pair(around, clock.nsecsElapsed());
+    return hulls.isAroundOthers(scene.find(hull)->mesh);
   };
-  const auto [first, firstTime] = asked();
-  const auto [second, secondTime] = asked();
-  QVERIFY(!first && !second);
-  qInfo("20 surfaces in the box of one of %zu triangles: %lld us, asked again %lld us",
-        scene.find(hull)->mesh->triangleCount(), firstTime / 1000, secondTime / 1000);
-  QVERIFY(10 * secondTime < firstTime);
+  for (int i = 0; i < 100'000; ++i)
+    QVERIFY(!isAround());
   scene.append({.name = "within", .mesh = test::sphere(2.0f, 2)});
-  QVERIFY(asked().first);
+  QVERIFY(isAround());
 }
 
 void CutTissueTest::openFacesArePaper_data() {

@@ -82,11 +82,8 @@ class WindowServerTest : public QObject {
   }
 
   void nobodyThere() {
-    QElapsedTimer timer;
-    timer.start();
     QVERIFY(!handOver(socket(), files));
     QVERIFY(!handOver({}, files));
-    QVERIFY(timer.elapsed() < 500);
   }
 
   /// A window that is asking a question itself is not disturbed.
@@ -103,10 +100,7 @@ class WindowServerTest : public QObject {
     QVERIFY(window.listen());
     int heard = 0;
     connect(&window, &WindowServer::handed, this, [&] { ++heard; });
-    QElapsedTimer timer;
-    timer.start();
     QVERIFY(!handOver(socket(), files));
-    QVERIFY(timer.elapsed() >= 900 && timer.elapsed() < 1500);
     QTest::qWait(50);
     QCOMPARE(heard, 0);
   }

@@ -45,6 +45,7 @@ class Worker : public QObject {
     connect(&m_session.history(), &QUndoStack::indexChanged, this, [this] { say(); });
     connect(&m_session, &Session::selectionChanged, this, [this] { say(); });
     m_journaler.emplace(m_session, folder);
+    connect(&*m_journaler, &Journaler::kept, this, [] { put(test::JournalLog::keptLine); });
     connect(&*m_journaler, &Journaler::failed, this, [](const Error& error) {
       static_cast<void>(write(STDERR_FILENO, error.reason.data(), error.reason.size()));
     });
@@ -76,10 +77,13 @@ class Worker : public QObject {
       return;
     m_seen[m_session.history().index()] = test::sumOf(m_session.scene());
     const auto before = m_seen.find(m_session.history().index() - 1);
-    const std::string line = test::JournalLog{test::nowInMs(), test::sumOf(m_session.scene()),
+    const std::string line = test::JournalLog{test::sumOf(m_session.scene()),
                                               before == m_seen.end() ? 0 : before->second,
                                               test::sumOf(m_session.selection())}
                                  .line();
+    put(line);
+  }
+  static void put(const std::string& line) {
     if (write(STDOUT_FILENO, line.data(), line.size()) < 0)
       QCoreApplication::exit(1);
   }

