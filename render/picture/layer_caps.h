@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/passes/cap/cap_pass.h"
-#include "render/picture/tile_lists.h"
+#include "render/picture/surfaces/tile_lists.h"
 #include "render/strokes/picture_settings.h"
 #include "render/strokes/picture_view.h"
 #include "render/strokes/sectioned_surface.h"

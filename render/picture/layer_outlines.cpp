@@ -67,40 +67,43 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
     }
 }
 
-Result<bool> LayerPainter::outlineOnProcessor(gpu::Device& device, const PictureInput& input,
-                                              std::span<const PreparedStructure> structures,
-                                              const OutlinePlace& place, const OutlineLook& look) {
-  const auto drawn = m_outlines.draw(input, structures, m_kept, place.region, look);
-  if (!drawn.ink)
-    return false;
+std::optional<ProcessorOutlines::Drawn> LayerPainter::outline(const PictureInput& input,
+                                                              const PixelRect& region,
+                                                              const Outline& outline) {
+  if (!m_blended)
+    return std::nullopt;
+  const std::vector<PreparedStructure> structures = outlined(input, outline);
+  const auto drawn = m_outlines.draw(input, structures, m_kept, region, lookOf(outline));
+  return drawn.ink ? std::optional(drawn) : std::nullopt;
+}
+
+Status LayerPainter::lay(gpu::Device& device, const ProcessorOutlines::Drawn& drawn,
+                         const OutlinePlace& place) {
   if (drawn.ink->rectangles.empty())
-    return true;
+    return Unit{};
   // As large as the region, so that it serves the next area as well.
   const PixelRect& area = drawn.area;
   if (Status s = m_numbers.resize({place.region.width, place.region.height}, false); !s)
-    return s.error();
+    return s;
   if (Status s = m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
                                           {0, 0, area.width, area.height});
       !s)
-    return s.error();
+    return s;
   m_overlayPass->draw(device, place.target,
                       {*m_numbers.colour, {area.x, area.y}, drawn.ink->rectangles});
-  return true;
+  return Unit{};
 }
 
 Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
                              const OutlinePlace& place, const Outline& outline) {
   const PixelRect& region = place.region;
+  if (const auto drawn = this->outline(input, region, outline))
+    return lay(device, *drawn, place);
   const std::vector<PreparedStructure> structures = outlined(input, outline);
   std::vector<Layer> layers = planLayers(structures, input.view, region, input.parts);
   if (layers.empty())
     return Unit{};
   const OutlineLook look = lookOf(outline);
-  if (m_blended) {
-    const Result<bool> drawn = outlineOnProcessor(device, input, structures, place, look);
-    if (!drawn.ok() || *drawn)
-      return drawn.ok() ? Status(Unit{}) : Status(drawn.error());
-  }
   std::vector<std::size_t> all(layers.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   completeSurfaces(input, layers, all);

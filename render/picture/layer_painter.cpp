@@ -11,42 +11,32 @@
 
 namespace sline::render {
 
-Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& device,
-                                                           const AtlasLimits& limits) {
-  std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
-  auto surface = passes::SurfacePass::create(device.dialect());
-  if (!surface)
-    return surface.error();
-  auto wipe = passes::WipePass::create(device.dialect());
-  if (!wipe)
-    return wipe.error();
-  auto enlarge = passes::EnlargePass::create(device.dialect());
-  if (!enlarge)
-    return enlarge.error();
-  auto cap = passes::CapPass::create(device.dialect());
-  if (!cap)
-    return cap.error();
-  auto ink = passes::InkPass::create(device.dialect());
-  if (!ink)
-    return ink.error();
-  auto resolve = passes::ResolvePass::create(device.dialect());
-  if (!resolve)
-    return resolve.error();
-  auto overlay = passes::OverlayPass::create(device.dialect());
-  if (!overlay)
-    return overlay.error();
-  painter->m_surfacePass = std::move(*surface);
-  painter->m_wipePass = std::move(*wipe);
-  painter->m_enlargePass = std::move(*enlarge);
-  painter->m_capPass = std::move(*cap);
-  painter->m_inkPass = std::move(*ink);
-  painter->m_resolvePass = std::move(*resolve);
-  painter->m_overlayPass = std::move(*overlay);
-  return painter;
+namespace {
+
+/// Makes a pass for the device in its place.
+template <class Pass>
+Status make(const gpu::Device& device, std::shared_ptr<Pass>& place) {
+  auto made = Pass::create(device.dialect());
+  if (!made)
+    return made.error();
+  place = std::move(*made);
+  return Unit{};
+}
+
+}  // namespace
+
+Status LayerPainter::equip(const gpu::Device& device) {
+  const auto all = [&device](auto&... passes) {
+    Status status = Unit{};
+    static_cast<void>(((status = make(device, passes)).ok() && ...));
+    return status;
+  };
+  return all(m_surfacePass, m_wipePass, m_enlargePass, m_capPass, m_inkPass, m_resolvePass,
+             m_overlayPass);
 }
 
 std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) const {
-  std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
+  auto painter = std::make_unique<LayerPainter>(limits);
   painter->m_surfacePass = m_surfacePass;
   painter->m_wipePass = m_wipePass;
   painter->m_enlargePass = m_enlargePass;
@@ -218,11 +208,11 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
   return true;
 }
 
-LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const PixelRect& region,
+LayerPainter::Canvas LayerPainter::canvas(const gpu::Target* target, const PixelRect& region,
                                           std::span<const Layer> layers,
                                           std::span<const std::size_t> changed, bool blends) {
   // A resized target belongs to another region, and one that another paint had is no longer ours.
-  const bool keeps = !m_freshAtlas && &target == m_target && (m_blended || !blends);
+  const bool keeps = !m_freshAtlas && target == m_target && (m_blended || !blends);
   m_blended = blends;
   TileMask wanted = keeps ? m_left : TileMask(region);
   if (keeps)
@@ -231,7 +221,7 @@ LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const Pixel
   else
     for (const Layer& layer : layers)
       wanted.mark(layer.mask);
-  m_target = &target;
+  m_target = target;
   return {target, region, std::move(wanted), keeps};
 }
 
@@ -262,7 +252,7 @@ Status LayerPainter::resolve(gpu::Device& device, Background background, const C
   const TileLists lists = tileLists(listed, canvas.wanted);
   if (Status s = m_resolvePass->upload(lists.tiles, lists.entries); !s)
     return s;
-  m_resolvePass->draw(device, canvas.target,
+  m_resolvePass->draw(device, *canvas.target,
                       {.colours = m_atlas.colours(),
                        .inks = m_atlas.inks(),
                        .depths = m_atlas.layerDepths(),
@@ -321,7 +311,7 @@ void LayerPainter::takeSpares(std::vector<Layer>& layers, std::span<const std::s
 }
 
 Status LayerPainter::blendOnProcessor(Background background, const Canvas& canvas,
-                                      std::span<const Layer> layers, const gpu::Texture& pixels) {
+                                      std::span<const Layer> layers, const gpu::Texture* pixels) {
   const glm::vec4 ground = backgroundColour(background);
   const PixelRect& region = canvas.region;
   const std::size_t count = areaOf(region);
@@ -332,7 +322,9 @@ Status LayerPainter::blendOnProcessor(Background background, const Canvas& canva
       return gpu::misfit(std::as_bytes(std::span(layer.pixels.depths)).size(), layer.area);
   const std::vector<BlendLayer> blended = blendLayers(layers, background);
   blend({region, blended, canvas.wanted, ground}, m_picture);
-  return pixels.upload(std::as_bytes(std::span(m_picture)), {0, 0, region.width, region.height});
+  return pixels ? pixels->upload(std::as_bytes(std::span(m_picture)),
+                                 {0, 0, region.width, region.height})
+                : Status(Unit{});
 }
 
 Status LayerPainter::upload(gpu::Device& device, std::span<Layer> layers) {
@@ -365,7 +357,7 @@ Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const Pic
     return s.error();
   if (Status s = drawSurfaces(device, input, layers, driven); !s)
     return s.error();
-  stopwatch.pass(device, "surface");
+  stopwatch.pass(&device, "surface");
   if (input.isUnwanted())
     return Outcome::givenUp;
   // Hatching comes before lines, which lie on it.
@@ -374,7 +366,7 @@ Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const Pic
     return s.error();
   if (Status s = drawInk(device, input, layers, driven); !s)
     return s.error();
-  stopwatch.pass(device, "ink");
+  stopwatch.pass(&device, "ink");
   for (const std::size_t i : driven) {
     layers[i].triangles = {};
     layers[i].pixels = {};
@@ -382,7 +374,7 @@ Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const Pic
   return Outcome::painted;
 }
 
-Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
+Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device* device, const PictureInput& input,
                                                   const PixelRect& region,
                                                   const PictureCanvas& picture,
                                                   Stopwatch& stopwatch) {
@@ -409,14 +401,17 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   std::copy_if(changed.begin(), changed.end(), std::back_inserter(driven),
                [&](std::size_t i) { return !drawn(layers[i]); });
   const bool blends = input.processor && std::all_of(layers.begin(), layers.end(), drawn);
+  if (!blends && !device)
+    return Outcome::needsDriver;
   if (!blends) {
-    auto outcome = drive(device, input, layers, driven, stopwatch);
+    auto outcome = drive(*device, input, layers, driven, stopwatch);
     if (!outcome || *outcome != Outcome::painted)
       return outcome;
   }
-  const Canvas all = canvas(*picture.target, region, layers, changed, blends);
-  const Status blended = blends ? blendOnProcessor(input.background, all, layers, *picture.colour)
-                                : resolve(device, input.background, all, layers);
+  const Canvas all = canvas(picture.target.get(), region, layers, changed, blends);
+  const Status blended = blends
+                             ? blendOnProcessor(input.background, all, layers, picture.colour.get())
+                             : resolve(*device, input.background, all, layers);
   if (!blended)
     return blended.error();
   stopwatch.pass(device, "resolve");

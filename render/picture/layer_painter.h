@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "render/gpu/draw_queue.h"
 #include "render/passes/cap/cap_pass.h"
@@ -44,26 +45,38 @@ struct PictureInput {
 
 class LayerPainter {
  public:
-  static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
-                                                      const AtlasLimits& limits);
+  /// Creates a painter that draws what the processor draws alone, and the rest once it is equipped.
+  explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
+  /// Makes the programs for what a driver draws.
+  Status equip(const gpu::Device& device);
 
   /// Returns another painter with the same programs, which neither shares nor spoils what this one
   /// keeps.
   std::unique_ptr<LayerPainter> another(const AtlasLimits& limits) const;
 
-  enum class Outcome { painted, tooLarge, givenUp };
+  enum class Outcome { painted, tooLarge, givenUp, needsDriver };
   /// Draws the region (in picture pixels) so that it fills the canvas. Where the canvas still has
   /// what the last `paint` drew, only squares are drawn anew that a changed layer touches or
   /// touched. It returns `tooLarge`, with nothing drawn, where the layers exceed the atlas (a
   /// smaller region may do), and `givenUp` where the input asked to stop; the canvas' contents are
-  /// then undefined.
-  Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
+  /// then undefined. Without a device the canvas has no texture, and `blended` returns the pixels;
+  /// it returns `needsDriver` where the processor cannot draw all.
+  Result<Outcome> paint(gpu::Device* device, const PictureInput& input, const PixelRect& region,
                         const PictureCanvas& canvas, Stopwatch& stopwatch);
+  /// Returns the pixels of the region that was painted last, 8-bit RGBA with premultiplied alpha in
+  /// rows from the bottom, where the processor blended them; else none.
+  std::span<const std::uint32_t> blended() const {
+    return m_blended ? std::span<const std::uint32_t>(m_picture) : std::span<const std::uint32_t>();
+  }
   /// A region of the picture in the target of all of it.
   struct OutlinePlace {
     PixelRect region;
     const gpu::Target& target;
   };
+  /// Returns the line around structures, seen or not, as the processor draws it over the region of
+  /// the last `paint`, which it blended; nothing where a driver must. It stays until the next one.
+  std::optional<ProcessorOutlines::Drawn> outline(const PictureInput& input,
+                                                  const PixelRect& region, const Outline& outline);
   /// Draws lines around structures, seen or not, over the region's place in the target. The region
   /// is the one of the last `paint`, whose layers hide what lies behind them.
   Status outline(gpu::Device& device, const PictureInput& input, const OutlinePlace& place,
@@ -88,7 +101,6 @@ class LayerPainter {
     bool operator==(const Key&) const = default;
   };
 
-  explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
   std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
   Status makeRoom(gpu::Device& device);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
@@ -119,28 +131,26 @@ class LayerPainter {
                  std::span<const std::size_t> changed);
   /// Tells which part of a target is to be blended anew; the rest stays as it is.
   struct Canvas {
-    const gpu::Target& target;
+    const gpu::Target* target;  ///< null: the processor draws alone
     PixelRect region;
     TileMask wanted;
     bool keeps = false;  ///< the parts outside `wanted` are still good
   };
-  Canvas canvas(const gpu::Target& target, const PixelRect& region, std::span<const Layer> layers,
+  Canvas canvas(const gpu::Target* target, const PixelRect& region, std::span<const Layer> layers,
                 std::span<const std::size_t> changed, bool blends);
   Status resolve(gpu::Device& device, Background background, const Canvas& canvas,
                  std::span<const Layer> layers);
-  /// Blends layers that the processor drew, and puts the region's pixels into the texture.
+  /// Blends layers that the processor drew, and puts the region's pixels into the texture, if there
+  /// is one.
   Status blendOnProcessor(Background background, const Canvas& canvas,
-                          std::span<const Layer> layers, const gpu::Texture& pixels);
+                          std::span<const Layer> layers, const gpu::Texture* pixels);
   /// Gives the atlas what only the processor has of the layers.
   Status upload(gpu::Device& device, std::span<Layer> layers);
   /// Draws the layers on the graphics card.
   Result<Outcome> drive(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                         std::span<const std::size_t> driven, Stopwatch& stopwatch);
   void takeSpares(std::vector<Layer>& layers, std::span<const std::size_t> changed);
-  /// Does so where the processor blended the layers. Returns false where a driver must.
-  Result<bool> outlineOnProcessor(gpu::Device& device, const PictureInput& input,
-                                  std::span<const PreparedStructure> structures,
-                                  const OutlinePlace& place, const OutlineLook& look);
+  Status lay(gpu::Device& device, const ProcessorOutlines::Drawn& drawn, const OutlinePlace& place);
   void drawNumbers(gpu::Device& device, const PictureInput& input, std::span<Layer> layers,
                    const OutlinedNumbers& numbers, const PixelRect& region) const;
 

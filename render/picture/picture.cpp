@@ -7,7 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
-#include "render/picture/picture_canvas.h"
+#include "render/picture/picture_output.h"
 #include "render/strokes/coinciding.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
@@ -16,24 +16,6 @@
 namespace sline::render {
 
 namespace {
-
-/// Draws pictures, and keeps from one what serves the next.
-struct Easel {
-  std::unique_ptr<LayerPainter> painter;
-  PictureCanvas canvas;
-};
-
-/// Tells where a picture goes: to pixels that are read back, to a target, or to neither.
-struct Output {
-  Image* image = nullptr;
-  const gpu::Target* target = nullptr;
-  const PicturePieces* pieces = nullptr;
-  const std::atomic<bool>* unwanted = nullptr;
-  std::span<const Outline> outlines = {};
-  bool aside = false;  ///< not one of those that are drawn again and again; it has little room
-  int samples = 1;     ///< each way, for each pixel of the target
-  bool over = false;   ///< the target keeps what it has, under the outlines
-};
 
 /// What a picture shows, and from where.
 struct Sitting {
@@ -75,7 +57,8 @@ Status checkRequest(const model::Camera& camera, const PictureSettings& settings
 }  // namespace
 
 struct Picture::Data {
-  std::unique_ptr<gpu::Device> device;
+  OpenDriver openDriver;                ///< where there is no device yet
+  std::unique_ptr<gpu::Device> device;  ///< null: the processor draws alone
   Easel main;
   Easel aside;  ///< its painter is made for the first preview
   PictureOptions options;
@@ -93,12 +76,15 @@ struct Picture::Data {
   /// Has samples that stand for several pixels taken of coarser forms of the surfaces.
   void sampleCoarsely(std::vector<PreparedStructure>& visible, const Sitting& sitting,
                       const Output& output) const;
+  int textureSide() const;
   int regionSide() const;
   std::size_t atlasPixels() const;
   /// Returns what draws: not `automatic`.
   PictureOptions::Painter painter() const;
   bool processor() const { return painter() == PictureOptions::Painter::processor; }
   Easel& easel(const Output& output);
+  /// Makes a device, for what only a driver draws; the error says what that is.
+  Status bringDriver(const PictureInput& input);
   Status paint(const PictureInput& input, const PixelRect& region, Stopwatch& stopwatch,
                const Output& output);
   Status picture(const model::Scene& scene, const model::Camera& camera,
@@ -174,8 +160,14 @@ void Picture::Data::sampleCoarsely(std::vector<PreparedStructure>& visible, cons
   });
 }
 
+int Picture::Data::textureSide() const {
+  constexpr int ofTheProcessor = 16384;
+  return device ? device->limits().textureSide : ofTheProcessor;
+}
+
 int Picture::Data::regionSide() const {
-  const int driver = std::min(device->limits().textureSide, device->limits().viewportSide);
+  const int driver =
+      device ? std::min(textureSide(), device->limits().viewportSide) : textureSide();
   return options.maximumSide > 0 ? std::min(options.maximumSide, driver) : driver;
 }
 
@@ -188,11 +180,11 @@ std::size_t Picture::Data::atlasPixels() const {
 PictureOptions::Painter Picture::Data::painter() const {
   using Painter = PictureOptions::Painter;
   const bool chosen = options.painter != Painter::automatic;
-  const Painter painter = chosen               ? options.painter
-                          : device->software() ? Painter::processor
-                                               : Painter::card;
+  const Painter painter = chosen                          ? options.painter
+                          : !device || device->software() ? Painter::processor
+                                                          : Painter::card;
   // The processor has 8 bits per channel.
-  return options.deep && painter == Painter::processor ? Painter::driver : painter;
+  return device && options.deep && painter == Painter::processor ? Painter::driver : painter;
 }
 
 Easel& Picture::Data::easel(const Output& output) {
@@ -200,10 +192,27 @@ Easel& Picture::Data::easel(const Output& output) {
     return main;
   constexpr std::size_t pixels = 2'000'000;
   if (!aside.painter)
-    aside.painter = main.painter->another({.side = device->limits().textureSide, .pixels = pixels});
+    aside.painter = main.painter->another({.side = textureSide(), .pixels = pixels});
   // Between two previews, the other easel's pictures may have released surfaces that were kept.
   aside.painter->forget();
   return aside;
+}
+
+Status Picture::Data::bringDriver(const PictureInput& input) {
+  const auto printed = std::find_if(input.shown.begin(), input.shown.end(),
+                                    [](const auto& shown) { return shown.printedHatching; });
+  const std::string what = printed != input.shown.end()
+                               ? "hatching that is found pixel by pixel needs OpenGL"
+                               : "what reaches behind the eye needs OpenGL";
+  auto made = openDriver ? openDriver() : Error{.reason = "there is none"};
+  if (!made)
+    return Error{.reason = what + ": " + made.error().reason, .remedy = made.error().remedy};
+  device = std::move(*made);
+  for (Easel* each : {&main, &aside})
+    if (each->painter)
+      if (Status s = each->painter->equip(*device); !s)
+        return s;
+  return Unit{};
 }
 
 Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
@@ -212,11 +221,17 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
   PictureCanvas& canvas = used.canvas;
   auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
   if (std::max(region.width, region.height) <= regionSide()) {
-    if (Status s = canvas.resize({region.width, region.height}, false); !s)
-      return s;
-    outcome = used.painter->paint(*device, input, region, canvas, stopwatch);
+    if (device)
+      if (Status s = canvas.resize({region.width, region.height}, false); !s)
+        return s;
+    outcome = used.painter->paint(device.get(), input, region, canvas, stopwatch);
     if (!outcome)
       return outcome.error();
+  }
+  if (*outcome == LayerPainter::Outcome::needsDriver) {
+    if (Status s = bringDriver(input); !s)
+      return s;
+    return paint(input, region, stopwatch, output);
   }
   if (*outcome == LayerPainter::Outcome::givenUp) {
     givenUp = true;
@@ -236,28 +251,22 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
     return Unit{};
   }
   layersDrawn += used.painter->layersDrawn();
-  if (output.target && !output.over) {
-    const int n = output.samples;
-    device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target,
-                       {region.x / n, region.y / n, region.width / n, region.height / n});
-  }
-  for (const Outline& outline : output.outlines)
-    if (Status s = used.painter->outline(*device, input, {region, *output.target}, outline); !s)
-      return s;
-  if (output.image) {
-    std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
-    if (Status s = device->read(*canvas.target, {0, 0, region.width, region.height}, pixels); !s)
-      return s;
-    copyRegion(pixels, region, *output.image);
-    stopwatch.pass(*device, "read");
-  }
-  if (output.pieces) {
-    Result<PicturePiece> piece = pieceOf(*device, *canvas.target, region, int(input.view.size().y));
-    if (!piece)
-      return piece.error();
-    stopwatch.pass(*device, "read");
-    givenUp = !output.pieces->take(std::move(*piece));
-  }
+  const Delivery delivery{.easel = used,
+                          .input = input,
+                          .region = region,
+                          .output = output,
+                          .device = [&]() -> Result<gpu::Device*> {
+                            if (!device)
+                              if (Status s = bringDriver(input); !s)
+                                return s.error();
+                            return device.get();
+                          }};
+  const Result<bool> wanted = deliver(delivery);
+  if (!wanted)
+    return wanted.error();
+  givenUp = !*wanted;
+  if (output.image || output.pieces)
+    stopwatch.pass(device.get(), "read");
   return Unit{};
 }
 
@@ -322,6 +331,9 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   return done;
 }
 
+PictureTarget::PictureTarget(const gpu::Target& texture)
+    : m_texture(&texture), m_width(texture.size().width), m_height(texture.size().height) {}
+
 Picture::Picture() : m_data(std::make_unique<Data>()) {}
 Picture::~Picture() = default;
 
@@ -334,12 +346,20 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
   if (!device)
     return device.error();
   data.device = std::move(*device);
-  auto painter = LayerPainter::create(*data.device, {.side = data.device->limits().textureSide,
-                                                     .pixels = data.atlasPixels(),
-                                                     .deep = options.deep});
-  if (!painter)
-    return painter.error();
-  data.main.painter = std::move(*painter);
+  data.main.painter = std::make_unique<LayerPainter>(
+      AtlasLimits{.side = data.textureSide(), .pixels = data.atlasPixels(), .deep = options.deep});
+  if (Status equipped = data.main.painter->equip(*data.device); !equipped)
+    return equipped.error();
+  return picture;
+}
+
+std::unique_ptr<Picture> Picture::withoutDriver(const PictureOptions& options, OpenDriver open) {
+  std::unique_ptr<Picture> picture(new Picture);
+  Data& data = *picture->m_data;
+  data.options = options;
+  data.openDriver = std::move(open);
+  data.main.painter = std::make_unique<LayerPainter>(
+      AtlasLimits{.side = data.textureSide(), .pixels = data.atlasPixels()});
   return picture;
 }
 
@@ -397,13 +417,18 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
 
 Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
                                const model::Camera& camera, const PictureSettings& settings) {
-  if (job.target.size() != gpu::TextureSize{settings.width, settings.height})
+  const PictureTarget& target = job.target;
+  const bool holds = target.texture() ? bool(m_data->device)
+                                      : target.pixels().size() == std::size_t(target.width()) *
+                                                                      std::size_t(target.height());
+  if (!holds || target.width() != settings.width || target.height() != settings.height)
     return Error{.reason = "a picture cannot be drawn into pixels of another size",
                  .remedy = "Ask for a picture of their size"};
   const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
   if (Status s = m_data->picture(scene, camera, settings, output); !s)
     return s.error();
-  m_data->device->finish();
+  if (m_data->device)
+    m_data->device->finish();
   return !m_data->givenUp;
 }
 
@@ -425,7 +450,8 @@ Result<bool> Picture::refineInto(const TargetJob& job, const model::Scene& scene
     if (Status s = m_data->picture(scene, camera, settings, outlines); !s)
       return s.error();
   }
-  m_data->device->finish();
+  if (m_data->device)
+    m_data->device->finish();
   return !m_data->givenUp;
 }
 

@@ -23,8 +23,9 @@
 namespace sline::render {
 
 namespace gpu {
+class Device;
 class Target;
-}
+}  // namespace gpu
 
 /// Tells where the time of the last picture went, in milliseconds; the GPU has finished where a
 /// phase ends.
@@ -54,6 +55,28 @@ struct PictureOptions {
   bool levelsOfDetail = true;
   /// Intermediate colours have 16 bits per channel (17 bytes then); needs OpenGL, ES is not enough.
   bool deep = false;
+};
+
+/// Where a picture in a window goes: a texture, or pixels in memory. What it stands for must
+/// outlive it.
+class PictureTarget {
+ public:
+  /// The first colour texture of the target.
+  PictureTarget(const gpu::Target& texture);  // NOLINT: wherever a target is expected
+  /// Pixels of 8 bits, red in the lowest byte, with premultiplied alpha, in rows from the bottom.
+  PictureTarget(int width, int height, std::span<std::uint32_t> pixels)
+      : m_width(width), m_height(height), m_pixels(pixels) {}
+
+  int width() const { return m_width; }
+  int height() const { return m_height; }
+  const gpu::Target* texture() const { return m_texture; }
+  std::span<std::uint32_t> pixels() const { return m_pixels; }
+
+ private:
+  const gpu::Target* m_texture = nullptr;  ///< null: it is pixels
+  int m_width = 0;
+  int m_height = 0;
+  std::span<std::uint32_t> m_pixels;
 };
 
 /// A line around structures of a picture in a window, such as those that are selected. It is no
@@ -91,11 +114,18 @@ struct PicturePieces {
   std::function<bool(PicturePiece&&)> take;
 };
 
+/// Opens OpenGL where a picture needs it, and keeps it as long as itself lives.
+using OpenDriver = std::function<Result<std::unique_ptr<gpu::Device>>()>;
+
 class Picture {
  public:
   /// Creates a picture, which needs a current OpenGL 3.3 core or ES 3.0 context for its whole life.
   /// The error names the driver and what it lacks.
   static Result<std::unique_ptr<Picture>> create(const PictureOptions& options = {});
+  /// Creates a picture that the processor draws. OpenGL is opened at the first structure that only
+  /// a driver can draw; where it cannot be, that picture fails and its error says what needs it. It
+  /// draws into pixels alone, not into textures.
+  static std::unique_ptr<Picture> withoutDriver(const PictureOptions& options, OpenDriver open);
   ~Picture();
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
@@ -123,7 +153,7 @@ class Picture {
   /// Draws into the job's target instead, which must have the picture's size, and waits for the
   /// GPU. It returns false where the job was given up.
   struct TargetJob {
-    const gpu::Target& target;
+    PictureTarget target;
     /// Set from another thread when the picture is no longer wanted; may be null.
     const std::atomic<bool>* unwanted = nullptr;
     std::span<const Outline> outlines = {};  ///< drawn over the picture, the last on top

@@ -2,6 +2,7 @@
 #include "render/picture/picture_canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -23,7 +24,7 @@ Status PictureCanvas::resize(gpu::TextureSize size, bool withDepth) {
   return Unit{};
 }
 
-void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, Image& image) {
+void copyRegion(std::span<const std::byte> pixels, const PixelRect& region, Image& image) {
   for (int y = 0; y < region.height; ++y) {
     const auto* from =
         reinterpret_cast<const std::uint8_t*>(pixels.data()) + std::size_t(y) * region.width * 4;
@@ -39,15 +40,43 @@ void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, I
   }
 }
 
-Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
-                             const PixelRect& region, int height) {
+namespace {
+
+PicturePiece emptyPiece(const PixelRect& region, int height) {
   PicturePiece piece{.left = region.x,
                      .top = height - region.top(),
                      .width = region.width,
                      .height = region.height,
                      .rgba = {}};
-  const std::size_t row = std::size_t(region.width) * 4;
-  piece.rgba.resize(row * std::size_t(region.height));
+  piece.rgba.resize(std::size_t(region.width) * 4 * std::size_t(region.height));
+  return piece;
+}
+
+void spread(std::span<const std::byte> bytes, PicturePiece& piece) {
+  std::transform(bytes.begin(), bytes.end(), piece.rgba.begin(),
+                 [](std::byte value) { return std::uint16_t(257 * std::to_integer<int>(value)); });
+}
+
+/// Turns rows from the bottom to rows from the top.
+void turnOver(PicturePiece& piece) {
+  const auto row = std::ptrdiff_t(piece.width) * 4;
+  for (int y = 0; 2 * y < piece.height - 1; ++y)
+    std::swap_ranges(piece.rgba.begin() + row * y, piece.rgba.begin() + row * (y + 1),
+                     piece.rgba.begin() + row * (piece.height - 1 - y));
+}
+
+}  // namespace
+
+PicturePiece pieceOf(std::span<const std::uint32_t> pixels, const PixelRect& region, int height) {
+  PicturePiece piece = emptyPiece(region, height);
+  spread(std::as_bytes(pixels), piece);
+  turnOver(piece);
+  return piece;
+}
+
+Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
+                             const PixelRect& region, int height) {
+  PicturePiece piece = emptyPiece(region, height);
   const PixelRect all{0, 0, region.width, region.height};
   if (device.dialect() == gpu::Dialect::desktop330) {
     if (Status s = device.read(target, all, std::span(piece.rgba)); !s)
@@ -56,15 +85,68 @@ Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
     std::vector<std::byte> bytes(piece.rgba.size());
     if (Status s = device.read(target, all, bytes); !s)
       return s.error();
-    std::transform(bytes.begin(), bytes.end(), piece.rgba.begin(), [](std::byte value) {
-      return std::uint16_t(257 * std::to_integer<int>(value));
-    });
+    spread(bytes, piece);
   }
-  for (int y = 0; 2 * y < region.height - 1; ++y)
-    std::swap_ranges(piece.rgba.begin() + std::ptrdiff_t(row) * y,
-                     piece.rgba.begin() + std::ptrdiff_t(row) * (y + 1),
-                     piece.rgba.begin() + std::ptrdiff_t(row) * (region.height - 1 - y));
+  turnOver(piece);
   return piece;
+}
+
+namespace {
+
+/// Returns the mean of that many pixels each way.
+std::uint32_t meanOf(const std::uint32_t* first, std::size_t row, int samples) {
+  std::array<unsigned, 4> sums{};
+  for (int y = 0; y < samples; ++y)
+    for (int x = 0; x < samples; ++x)
+      for (std::size_t c = 0; c < sums.size(); ++c)
+        sums[c] += first[std::size_t(y) * row + std::size_t(x)] >> (8 * c) & 0xffu;
+  const auto count = unsigned(samples * samples);
+  std::uint32_t mean = 0;
+  for (std::size_t c = 0; c < sums.size(); ++c)
+    mean |= (sums[c] + count / 2) / count << (8 * c);
+  return mean;
+}
+
+/// Lays a colour with premultiplied alpha over another.
+std::uint32_t laidOver(std::uint32_t colour, std::uint32_t below) {
+  const unsigned left = 255u - (colour >> 24);
+  std::uint32_t both = 0;
+  for (unsigned c = 0; c < 4; ++c) {
+    const unsigned seen = ((below >> (8 * c) & 0xffu) * left + 127u) / 255u;
+    both |= std::min((colour >> (8 * c) & 0xffu) + seen, 255u) << (8 * c);
+  }
+  return both;
+}
+
+}  // namespace
+
+void putRegion(std::span<const std::uint32_t> pixels, const PixelRect& region, int samples,
+               const PictureTarget& target) {
+  const auto row = std::size_t(region.width);
+  const auto wide = std::size_t(target.width());
+  for (int y = 0; y < region.height / samples; ++y) {
+    const std::uint32_t* from = pixels.data() + std::size_t(y * samples) * row;
+    std::uint32_t* to = target.pixels().data() + std::size_t(region.y / samples + y) * wide +
+                        std::size_t(region.x / samples);
+    if (samples == 1)
+      std::copy_n(from, row, to);
+    else
+      for (int x = 0; x < region.width / samples; ++x)
+        to[x] = meanOf(from + x * samples, row, samples);
+  }
+}
+
+void layOver(std::span<const std::uint32_t> colours, const PixelRect& area,
+             std::span<const PixelRect> rectangles, const PictureTarget& target) {
+  for (const PixelRect& rect : rectangles)
+    for (int y = rect.y; y < rect.top(); ++y)
+      for (int x = rect.x; x < rect.right(); ++x) {
+        const std::uint32_t colour =
+            colours[std::size_t(y - area.y) * std::size_t(area.width) + std::size_t(x - area.x)];
+        std::uint32_t& pixel =
+            target.pixels()[std::size_t(y) * std::size_t(target.width()) + std::size_t(x)];
+        pixel = laidOver(colour, pixel);
+      }
 }
 
 std::pair<PixelRect, PixelRect> halves(const PixelRect& region, int grid) {

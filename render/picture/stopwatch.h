@@ -28,9 +28,11 @@ class Stopwatch {
     for (const Share& pass : passes)
       add(pass.name, pass.share * milliseconds);
   }
-  /// Counts the time since the last phase ended as spent on this pass; waits for the GPU.
-  void pass(gpu::Device& device, std::string_view name) {
-    device.finish();
+  /// Counts the time since the last phase ended as spent on this pass; waits for the GPU, if there
+  /// is one.
+  void pass(gpu::Device* device, std::string_view name) {
+    if (device)
+      device->finish();
     add(name, lap());
   }
   PictureTimings done() {

@@ -189,6 +189,11 @@ class LostGraphicsTest : public QObject {
   /// does not help.
   void aFullDriverIsNoticed() {
     const auto times = std::make_shared<std::atomic<int>>(0);
+    const auto usual = qScopeGuard([] {
+      if (qEnvironmentVariable("SLINE_TEST_SCREEN") != QStringLiteral("driver"))
+        widgets::chooseScreens(widgets::ScreenKind::automatic);
+    });
+    widgets::chooseScreens(widgets::ScreenKind::driver);  // else nothing of OpenGL is opened
     WindowFixture f(rendererBehind<GreedyPainter>(times));
     QVERIFY(f.drop(m_body.path()));
     QVERIFY(f.settled());

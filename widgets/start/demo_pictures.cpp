@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/start/demo_pictures.h"
 
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-
 #include "model/disk/process.h"
 #include "render/picture/card_picture.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::widgets {
 
 namespace {
 
-QSurfaceFormat pictureFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  return format;
-}
-
 QImage drawDemo(const model::Scene& scene) {
-  const auto picture = render::Picture::create();
+  const auto picture =
+      render::HeadlessPicture::create({.painter = render::PictureOptions::Painter::processor});
   if (!picture.ok())
     return {};
   const render::CardPicture card = render::cardPicture(scene);
@@ -34,20 +24,11 @@ QImage drawDemo(const model::Scene& scene) {
       .convertToFormat(QImage::Format_RGB32);
 }
 
-/// Returns the picture; null where drawing was stopped, or where there is no OpenGL to draw it
-/// with.
-QImage drawDemo(const DemoScene& demo, QOffscreenSurface& surface, const std::stop_token& stop) {
+/// Returns the picture; null where drawing was stopped.
+QImage drawDemo(const DemoScene& demo, const std::stop_token& stop) {
   const Result<LoadedDocument> made =
       demo.make([&stop](float, const std::string&) { return !stop.stop_requested(); }, stop);
-  if (!made.ok() || stop.stop_requested())
-    return {};
-  QOpenGLContext context;
-  context.setFormat(surface.format());
-  if (!context.create() || !context.makeCurrent(&surface))
-    return {};
-  QImage picture = drawDemo(made->scene);
-  context.doneCurrent();
-  return picture;
+  return made.ok() && !stop.stop_requested() ? drawDemo(made->scene) : QImage();
 }
 
 }  // namespace
@@ -78,11 +59,6 @@ void DemoPictures::ask(const std::vector<DemoScene>& demos, Missing missing) {
 }
 
 void DemoPictures::findOrDraw(const DemoScene& demo) {
-  if (!m_surface) {
-    m_surface = std::make_unique<QOffscreenSurface>();
-    m_surface->setFormat(pictureFormat());
-    m_surface->create();
-  }
   m_queue.add([this, demo, cache = m_cache](const std::stop_token&) -> BackgroundQueue::Sequel {
     const QImage picture = cache.find(demo.key);
     if (picture.isNull())
@@ -96,7 +72,7 @@ void DemoPictures::draw(const DemoScene& demo) {
     return;
   m_queue.add(
       [this, demo, cache = m_cache](const std::stop_token& stop) -> BackgroundQueue::Sequel {
-        const QImage picture = sline::widgets::drawDemo(demo, *m_surface, stop);
+        const QImage picture = sline::widgets::drawDemo(demo, stop);
         if (picture.isNull())
           return {};
         cache.keep(demo.key, picture);

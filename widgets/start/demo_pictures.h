@@ -9,8 +9,6 @@
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/picture_cache.h"
 
-class QOffscreenSurface;
-
 namespace sline::widgets {
 
 /// Returns the folder of the pictures that were drawn of the demos when the program was built:
@@ -44,7 +42,6 @@ class DemoPictures : public QObject {
 
   PictureCache m_built;
   PictureCache m_cache;
-  std::unique_ptr<QOffscreenSurface> m_surface;
   Missing m_missing = Missing::leave;
   BackgroundQueue m_queue;
 };

@@ -48,6 +48,12 @@ void DriverScreen::initializeGL() {
   m_told.ready();
 }
 
+Result<render::PictureTarget> DriverScreen::begin(render::gpu::TextureSize size) {
+  const auto target = m_handoff->begin(size);
+  return target ? Result<render::PictureTarget>(**target)
+                : Result<render::PictureTarget>(target.error());
+}
+
 void DriverScreen::showPaper() {
   context()->functions()->glClearColor(m_paper.redF(), m_paper.greenF(), m_paper.blueF(), 1.0f);
   context()->functions()->glClear(GL_COLOR_BUFFER_BIT);

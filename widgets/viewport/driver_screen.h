@@ -27,9 +27,7 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   }
   QImage picture() override { return grabFramebuffer(); }
 
-  Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override {
-    return m_handoff->begin(size);
-  }
+  Result<render::PictureTarget> begin(render::gpu::TextureSize size) override;
   void publish(std::uint64_t number) override { m_handoff->publish(number); }
   void releaseDrawing() override { m_handoff->releaseDrawing(); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/viewport/picture_screen.h"
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "render/gpu/device.h"
+#include "render/gpu/headless/context.h"
 #include "widgets/viewport/driver_screen.h"
 #include "widgets/viewport/plain_screen.h"
 
@@ -21,8 +23,12 @@ ScreenKind& chosen() {
   return kind;
 }
 
-/// Returns the driver's name where it draws on the processor.
+/// Returns the driver's name where it draws on the processor; without one that may draw elsewhere
+/// none is opened.
 std::optional<QString> softwareDriver() {
+  if (!render::gpu::HeadlessContext::mayBeOnCard())
+    return QCoreApplication::translate("sline::widgets::PictureScreen",
+                                       "none, as the processor draws");
   QOffscreenSurface surface;
   surface.setFormat(pictureFormat());
   surface.create();

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "render/gpu/target.h"
+#include "render/picture/picture.h"
 
 class QOpenGLContext;
 
@@ -36,7 +37,8 @@ class PictureScreen {
   virtual void setPaper(const QColor& paper) = 0;
   /// Returns OpenGL's own name for itself, where it is known.
   virtual QString driver() const = 0;
-  /// Returns the context whose textures the drawing side shares; null where it shares none.
+  /// Returns the context whose textures the drawing side shares; null where it draws into memory,
+  /// without OpenGL.
   virtual QOpenGLContext* shared() const = 0;
   /// Called after `ready`, before anything is drawn; returns false where it is not ready any more.
   virtual bool start() = 0;
@@ -50,8 +52,8 @@ class PictureScreen {
   virtual QImage picture() = 0;
 
   /// Drawing side: returns a target of that size; declares it drawn, after which the next
-  /// `showNewest` shows it; and releases everything, the context being current.
-  virtual Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) = 0;
+  /// `showNewest` shows it; and releases everything, the context, if any, being current.
+  virtual Result<render::PictureTarget> begin(render::gpu::TextureSize size) = 0;
   /// The same number may come again, with a better picture.
   virtual void publish(std::uint64_t number) = 0;
   virtual void releaseDrawing() = 0;

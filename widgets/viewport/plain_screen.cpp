@@ -2,8 +2,8 @@
 #include "widgets/viewport/plain_screen.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 namespace sline::widgets {
@@ -55,9 +55,10 @@ QImage PlainScreen::picture() {
   return image;
 }
 
-Result<const render::gpu::Target*> PlainScreen::begin(render::gpu::TextureSize size) {
+Result<render::PictureTarget> PlainScreen::begin(render::gpu::TextureSize size) {
   m_size = size;
-  return m_readback.begin(size);
+  m_rows.resize(std::size_t(size.width) * std::size_t(size.height));
+  return render::PictureTarget(size.width, size.height, m_rows);
 }
 
 void PlainScreen::publish(std::uint64_t number) {
@@ -66,10 +67,14 @@ void PlainScreen::publish(std::uint64_t number) {
     m_drawn.image = QImage(size, QImage::Format_RGB32);
   if (m_drawn.image.isNull())
     throw std::bad_alloc();
-  if (const Status read = m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
-                                           std::size_t(m_size.width) * std::size_t(m_size.height)});
-      !read)
-    throw std::length_error(read.error().reason);
+  const auto columns = std::size_t(m_size.width);
+  for (int y = 0; y < m_size.height; ++y) {
+    const std::uint32_t* from = m_rows.data() + std::size_t(m_size.height - 1 - y) * columns;
+    auto* to = reinterpret_cast<QRgb*>(m_drawn.image.scanLine(y));
+    std::transform(from, from + columns, to, [](std::uint32_t pixel) {
+      return qRgb(int(pixel & 0xffu), int(pixel >> 8 & 0xffu), int(pixel >> 16 & 0xffu));
+    });
+  }
   m_drawn.number = number;
   m_drawn.turn = ++m_turn;
   const std::lock_guard lock(m_mutex);

@@ -2,9 +2,10 @@
 // Shows pictures as pixels, without OpenGL.
 #pragma once
 
+#include <cstdint>
 #include <mutex>
+#include <vector>
 
-#include "render/gpu/readback.h"
 #include "widgets/viewport/picture_screen.h"
 
 namespace sline::widgets {
@@ -23,9 +24,9 @@ class PlainScreen : public QWidget, public PictureScreen {
   void blank(std::uint64_t upTo) override;
   QImage picture() override;
 
-  Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;
+  Result<render::PictureTarget> begin(render::gpu::TextureSize size) override;
   void publish(std::uint64_t number) override;
-  void releaseDrawing() override { m_readback.release(); }
+  void releaseDrawing() override { m_rows = {}; }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -52,7 +53,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   std::mutex m_mutex;
   Numbered m_newest;  ///< guarded by it
   // The drawing side's own.
-  render::gpu::Readback m_readback;
+  std::vector<std::uint32_t> m_rows;  ///< as `PictureTarget` has them
   render::gpu::TextureSize m_size;
   std::uint64_t m_turn = 0;
   Numbered m_drawn;

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "model/disk/process.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::widgets {
 
@@ -59,10 +60,11 @@ Status driverState(QOpenGLContext& context) {
   return Unit{};
 }
 
+/// Draws with a picture: one that a pointer keeps.
+template <class PicturePointer>
 class RendererPainter : public PicturePainter {
  public:
-  explicit RendererPainter(std::unique_ptr<render::Picture> picture)
-      : m_picture(std::move(picture)) {}
+  explicit RendererPainter(PicturePointer picture) : m_picture(std::move(picture)) {}
   Result<bool> paint(const PictureRequest& request,
                      const render::Picture::TargetJob& job) override {
     return m_picture->drawInto(job, request.scene, request.camera, request.settings);
@@ -84,16 +86,24 @@ class RendererPainter : public PicturePainter {
   bool makeshift() const override { return m_picture->timings().makeshift; }
 
  private:
-  std::unique_ptr<render::Picture> m_picture;
+  PicturePointer m_picture;
 };
+
+template <class PicturePointer>
+Result<std::unique_ptr<PicturePainter>> painterWith(Result<PicturePointer> picture) {
+  if (!picture)
+    return picture.error();
+  return std::unique_ptr<PicturePainter>(
+      std::make_unique<RendererPainter<PicturePointer>>(std::move(*picture)));
+}
 
 }  // namespace
 
 Result<std::unique_ptr<PicturePainter>> makePicturePainter() {
-  auto picture = render::Picture::create();
-  if (!picture)
-    return picture.error();
-  return std::unique_ptr<PicturePainter>(std::make_unique<RendererPainter>(std::move(*picture)));
+  if (QOpenGLContext::currentContext())
+    return painterWith(render::Picture::create());
+  return painterWith(
+      render::HeadlessPicture::create({.painter = render::PictureOptions::Painter::processor}));
 }
 
 void chooseRefinement(bool on) {
@@ -101,18 +111,18 @@ void chooseRefinement(bool on) {
 }
 
 RenderThread::RenderThread(PictureScreen& screen, PainterFactory factory)
-    : m_screen(screen),
-      m_factory(std::move(factory)),
-      m_context(std::make_unique<QOpenGLContext>()) {
+    : m_screen(screen), m_factory(std::move(factory)) {
   setObjectName(QStringLiteral("render"));
-  const QOpenGLContext* shared = screen.shared();
-  const QSurfaceFormat format = shared ? shared->format() : pictureFormat();
-  m_context->setFormat(format);
-  m_context->setShareContext(screen.shared());
-  m_surface.setFormat(format);
-  m_surface.create();
-  if (m_context->create())
-    m_context->moveToThread(this);
+  if (QOpenGLContext* shared = screen.shared()) {
+    m_context = std::make_unique<QOpenGLContext>();
+    m_context->setFormat(shared->format());
+    m_context->setShareContext(shared);
+    m_surface = std::make_unique<QOffscreenSurface>();
+    m_surface->setFormat(shared->format());
+    m_surface->create();
+    if (m_context->create())
+      m_context->moveToThread(this);
+  }
   start();
 }
 
@@ -202,14 +212,13 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
   const Status done = guarded([&] {
     const auto target =
         m_screen.begin({.width = request.settings.width, .height = request.settings.height});
-    drawn = target
-                ? painter.paint(
-                      request,
-                      {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines})
-                : Result<bool>(target.error());
+    drawn = target ? painter.paint(
+                         request,
+                         {.target = *target, .unwanted = &m_unwanted, .outlines = request.outlines})
+                   : Result<bool>(target.error());
     if (!drawn || !*drawn)
       return;
-    if (const Status state = driverState(*m_context); !state.ok()) {
+    if (const Status state = m_context ? driverState(*m_context) : Status(Unit{}); !state.ok()) {
       drawn = state.error();
       return;
     }
@@ -261,7 +270,7 @@ void RenderThread::refine(PicturePainter& painter) {
     if (!target)
       return;
     const Result<bool> done = painter.refine(
-        request, {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines});
+        request, {.target = *target, .unwanted = &m_unwanted, .outlines = request.outlines});
     if (done && *done) {
       m_screen.publish(request.number);
       emit refined(request.number);
@@ -338,7 +347,7 @@ void RenderThread::draw(PicturePainter& painter) {
 
 void RenderThread::run() {
   model::standBack();
-  if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
+  if (m_context && (!m_context->isValid() || !m_context->makeCurrent(m_surface.get()))) {
     emit failed({.reason = "the graphics driver gives no OpenGL context to draw with",
                  .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});
     return;
@@ -357,7 +366,8 @@ void RenderThread::run() {
     emit failed(done.error());
   painter.reset();
   m_screen.releaseDrawing();
-  m_context->doneCurrent();
+  if (m_context)
+    m_context->doneCurrent();
   m_context.reset();  // on the thread that it belongs to
 }
 

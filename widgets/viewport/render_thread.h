@@ -59,7 +59,7 @@ struct PreviewRequest {
   PreviewsOf asker = PreviewsOf::stages;
 };
 
-/// Draws requests; lives on the render thread with its context current.
+/// Draws requests; lives on the render thread with its context, if it has one, current.
 class PicturePainter {
  public:
   virtual ~PicturePainter() = default;
@@ -86,7 +86,7 @@ class PicturePainter {
   virtual bool makeshift() const { return false; }
 };
 using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
-/// Makes a painter that uses the renderer itself.
+/// Makes a painter that uses the renderer itself: with the current context, or without OpenGL.
 Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 
 /// Describes a picture that is done and waits to be shown.
@@ -161,8 +161,8 @@ class RenderThread : public QThread {
 
   PictureScreen& m_screen;
   PainterFactory m_factory;
-  QOffscreenSurface m_surface;
-  std::unique_ptr<QOpenGLContext> m_context;
+  std::unique_ptr<QOffscreenSurface> m_surface;
+  std::unique_ptr<QOpenGLContext> m_context;  ///< null: the screen's pictures are in memory
   std::mutex m_mutex;
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;

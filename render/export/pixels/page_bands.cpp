@@ -95,11 +95,12 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   if (!overlay.ok())
     return overlay.error();
   progress.note((*overlay)->notes());
-  // Files of 8 and of 16 bits show the same pixels, and 16 bits are drawn by drivers alone.
-  const Result<HeadlessPicture> picture =
-      HeadlessPicture::create({.painter = PictureOptions::Painter::driver, .deep = bands.deep});
+  const Result<HeadlessPicture> picture = HeadlessPicture::create({.deep = bands.deep});
   if (!picture.ok())
-    return picture.error();
+    return bands.deep
+               ? Error{.reason = "16 bits per channel need OpenGL: " + picture.error().reason,
+                       .remedy = "Take 8 bits. " + picture.error().remedy}
+               : picture.error();
   const PictureSettings settings = settingsOf(order, bands);
   (*picture)->prepare(order.scene, order.camera, settings);
   if (!tell(0.05, "drawing"))

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace sline::render::gpu {
@@ -135,6 +137,19 @@ HeadlessContext::HeadlessContext() : m_data(std::make_unique<Data>()) {}
 
 HeadlessContext::~HeadlessContext() {
   m_data->close();
+}
+
+bool HeadlessContext::mayBeOnCard() {
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev", none)) {
+    const std::string name = entry.path().filename();
+    if (name == "dxg" || name.starts_with("nvidia") || name.starts_with("kfd"))
+      return true;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator("/dev/dri", none))
+    if (entry.path().filename().string().starts_with("renderD"))
+      return true;
+  return false;
 }
 
 Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {

@@ -12,6 +12,9 @@ namespace sline::render::gpu {
 
 class HeadlessContext {
  public:
+  /// Tells whether the machine may have a graphics card, without opening anything: Linux has a file
+  /// for each (/dev/dri, /dev/nvidia…, /dev/dxg).
+  static bool mayBeOnCard();
   /// Makes the context and makes it current on the calling thread. The error says what was tried
   /// and what to install.
   static Result<std::unique_ptr<HeadlessContext>> create();

@@ -1,29 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture/headless/headless_picture.h"
 
+#include "render/gpu/device.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {
 
-HeadlessPicture::HeadlessPicture() = default;
+namespace {
+
+using Context = std::unique_ptr<gpu::HeadlessContext>;
+
+Status open(Context& place) {
+  auto context = gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  place = std::move(*context);
+  return Unit{};
+}
+
+}  // namespace
+
+HeadlessPicture::HeadlessPicture() : m_context(std::make_shared<Context>()) {}
 HeadlessPicture::~HeadlessPicture() = default;
 HeadlessPicture::HeadlessPicture(HeadlessPicture&& other) noexcept = default;
 
 Result<HeadlessPicture> HeadlessPicture::create(const PictureOptions& options) {
+  using Painter = PictureOptions::Painter;
   HeadlessPicture made;
-  auto context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  made.m_context = std::move(*context);
-  auto picture = Picture::create(options);
-  if (!picture.ok())
-    return picture.error();
-  made.m_picture = std::move(*picture);
+  const bool asked =
+      options.deep || options.painter == Painter::card || options.painter == Painter::driver;
+  if (asked || (options.painter == Painter::automatic && gpu::HeadlessContext::mayBeOnCard())) {
+    const Status opened = open(*made.m_context);
+    if (!opened.ok() && asked)
+      return opened.error();
+    if (opened.ok()) {
+      auto picture = Picture::create(options);
+      if (!picture.ok())
+        return picture.error();
+      made.m_picture = std::move(*picture);
+      return made;
+    }
+  }
+  made.m_picture = Picture::withoutDriver(
+      options, [place = made.m_context]() -> Result<std::unique_ptr<gpu::Device>> {
+        if (Status opened = open(*place); !opened.ok())
+          return opened.error();
+        return gpu::Device::create();
+      });
   return made;
 }
 
 const std::string& HeadlessPicture::driver() const {
-  return m_context->driver();
+  static const std::string processor = "the processor";
+  return *m_context ? (*m_context)->driver() : processor;
 }
 
 }  // namespace sline::render

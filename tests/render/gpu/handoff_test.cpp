@@ -6,7 +6,6 @@
 #include "render/gpu/device.h"
 #include "render/gpu/handoff.h"
 #include "render/gpu/headless/context.h"
-#include "render/gpu/readback.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -93,27 +92,6 @@ class HandoffTest : public QObject {
     QCOMPARE(shown(handoff, size), std::pair(std::uint64_t(2), 102));
     handoff.releaseShowing();
     handoff.releaseDrawing();
-  }
-
-  void readsBackUpright() {
-    Readback readback;
-    QVERIFY(!readback.read({}).ok());  // there is no target yet
-    for (const TextureSize each : {size, TextureSize{.width = 5, .height = 7}}) {
-      const auto target = readback.begin(each);
-      QVERIFY(target.ok());
-      m_device->clear(**target, {.colour = glm::vec4(1.0f, 0.6f, 0.2f, 1.0f)});
-      // The lower left corner, as OpenGL counts.
-      m_device->clear(**target, {.colour = glm::vec4(0.0f, 0.2f, 1.0f, 0.0f),
-                                 .area = render::PixelRect{0, 0, 2, 1}});
-      std::vector<std::uint32_t> pixels(std::size_t(each.width) * std::size_t(each.height));
-      QVERIFY(!readback.read(std::span(pixels).first(pixels.size() - 1)).ok());
-      QVERIFY(readback.read(pixels).ok());
-      const std::size_t lastRow = pixels.size() - std::size_t(each.width);
-      for (std::size_t i = 0; i < pixels.size(); ++i)
-        QCOMPARE(pixels[i],
-                 i == lastRow || i == lastRow + 1 ? std::uint32_t(0xff0033ff) : 0xffff9933);
-    }
-    readback.release();
   }
 };
 

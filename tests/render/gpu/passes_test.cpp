@@ -14,7 +14,7 @@
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/surface_pass.h"
 #include "render/passes/surface/wipe_pass.h"
-#include "render/picture/tile_lists.h"
+#include "render/picture/surfaces/tile_lists.h"
 #include "render/strokes/stroke_maker.h"
 #include "tests/support/suite.h"
 

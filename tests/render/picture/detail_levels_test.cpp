@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that pictures of surfaces whose triangles are far smaller than pixels show a coarser one,
 // and show no difference by it.
-#include "render/picture/detail_levels.h"
+#include "render/picture/surfaces/detail_levels.h"
 
 #include <QImage>
 #include <QtTest>
@@ -10,7 +10,7 @@
 #include <map>
 #include <tuple>
 
-#include "render/picture/surface_cache.h"
+#include "render/picture/surfaces/surface_cache.h"
 #include "tests/render/picture/scenes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -5,7 +5,7 @@
 
 #include "render/lines/ground/stages.h"
 #include "render/picture/shelf_packer.h"
-#include "render/picture/tile_lists.h"
+#include "render/picture/surfaces/tile_lists.h"
 #include "render/raster/image.h"
 #include "render/strokes/picture_view.h"
 #include "tests/support/suite.h"

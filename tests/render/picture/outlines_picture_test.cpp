@@ -116,6 +116,32 @@ class Window {
   TargetPixels m_pixels;
 };
 
+/// Does so in memory, without a driver.
+class PlainWindow {
+ public:
+  PlainWindow() : m_picture(render::Picture::withoutDriver({}, {})) {}
+
+  template <class Draw>
+  std::optional<Image> image(const Draw& draw) {
+    m_pixels.assign(std::size_t(settings.width) * std::size_t(settings.height), 0);
+    const Result<bool> drawn =
+        draw(*m_picture, render::PictureTarget(settings.width, settings.height, m_pixels));
+    if (!drawn.ok() || !*drawn)
+      return std::nullopt;
+    Image image{.width = settings.width, .height = settings.height, .rgba = {}};
+    for (int y = settings.height - 1; y >= 0; --y)
+      for (int x = 0; x < settings.width; ++x)
+        for (int c = 0; c < 4; ++c)
+          image.rgba.push_back(
+              std::uint8_t(m_pixels[std::size_t(y * settings.width + x)] >> (8 * c)));
+    return image;
+  }
+
+ private:
+  std::unique_ptr<render::Picture> m_picture;
+  std::vector<std::uint32_t> m_pixels;
+};
+
 int apart(const Image& a, const Image& b, std::size_t pixel) {
   int largest = 0;
   for (std::size_t c = 0; c < 4; ++c)
@@ -177,6 +203,55 @@ class OutlinesPictureTest : public QObject {
     QVERIFY2(changed > 60, qPrintable(QString::number(changed)));
     QVERIFY2(double(differ) < allowed * double(changed),
              qPrintable(QString("%1 of %2").arg(differ).arg(changed)));
+  }
+
+  void areTheSameInMemory_data() { areThoseOfTheDriver_data(); }
+  void areTheSameInMemory() {
+    QFETCH(int, row);
+    const Row r = rows()[std::size_t(row)];
+    model::Scene scene = bodies(r.gamma);
+    if (r.cut)
+      cut(scene, model::AnatomicalView::posterior, -4.0f);
+    const model::Camera camera = slanted(r.height, r.perspective);
+    std::vector<Outline> outlines;
+    for (const std::vector<int>& places : r.outlined) {
+      Outline& outline = outlines.emplace_back(Outline{.ink = ink});
+      for (const int place : places)
+        outline.structures.push_back(scene.nodes()[std::size_t(place)].id);
+    }
+    PictureSettings asked = settings;
+    asked.surfaceStep = r.surfaceStep;
+    Window texture(PictureOptions::Painter::processor);
+    PlainWindow memory;
+    QVERIFY(texture.ok());
+    for (const std::vector<Outline>& lines : {std::vector<Outline>(), outlines}) {
+      const auto expected = texture.draw(scene, camera, lines, r.surfaceStep);
+      const auto got = memory.image([&](render::Picture& picture, render::PictureTarget target) {
+        return picture.drawInto({.target = target, .outlines = lines}, scene, camera, asked);
+      });
+      QVERIFY(expected && got);
+      // What lies over the picture is rounded once more.
+      QVERIFY(difference(*got, *expected).largest <= (lines.empty() ? 0 : 1));
+    }
+    if (r.surfaceStep > 1)
+      return;
+    const auto expected = texture.refine(scene, camera, outlines);
+    const auto got = memory.image([&](render::Picture& picture, render::PictureTarget target) {
+      return picture.refineInto({.target = target, .outlines = outlines}, scene, camera, settings);
+    });
+    QVERIFY(expected && got);
+    QVERIFY(difference(*got, *expected).largest <= 2);
+  }
+
+  /// A picture has no other place to go than it has room for.
+  void targetsOfAnotherSizeAreRefused() {
+    const auto picture = render::Picture::withoutDriver({}, {});
+    std::vector<std::uint32_t> pixels(20);
+    const model::Scene scene = bodies(2.0f);
+    for (const auto& target :
+         {render::PictureTarget(settings.width, settings.height, pixels),
+          render::PictureTarget(5, 4, pixels), render::PictureTarget(4, 4, pixels)})
+      QVERIFY(!picture->drawInto({.target = target}, scene, slanted(190.0f, false), settings).ok());
   }
 
   /// A line that is hidden is weaker than one that is seen.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the triangles that are drawn with those that cover the middle of a pixel.
-#include "render/picture/visible_triangles.h"
+#include "render/picture/surfaces/visible_triangles.h"
 
 #include <QtTest>
 #include <array>

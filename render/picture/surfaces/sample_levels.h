@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/geometry/surface.h"
-#include "render/picture/detail_levels.h"
+#include "render/picture/surfaces/detail_levels.h"
 
 namespace sline::render {
 

@@ -11,8 +11,8 @@
 #include "model/scene/scene.h"
 #include "model/scene/visible_structures.h"
 #include "render/passes/surface_geometry.h"
-#include "render/picture/detail_levels.h"
-#include "render/picture/sample_levels.h"
+#include "render/picture/surfaces/detail_levels.h"
+#include "render/picture/surfaces/sample_levels.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/prepared_surface.h"
 

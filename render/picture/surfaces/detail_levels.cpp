@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/detail_levels.h"
+#include "render/picture/surfaces/detail_levels.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include "model/geometry/coarsening.h"
 #include "model/geometry/edge_length.h"
-#include "render/picture/surface_cache.h"
+#include "render/picture/surfaces/surface_cache.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {

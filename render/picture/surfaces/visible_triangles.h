@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/picture/tile_lists.h"
+#include "render/picture/surfaces/tile_lists.h"
 #include "render/software/seen_cluster.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"

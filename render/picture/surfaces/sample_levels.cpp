@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/sample_levels.h"
+#include "render/picture/surfaces/sample_levels.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/visible_triangles.h"
+#include "render/picture/surfaces/visible_triangles.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/surface_cache.h"
+#include "render/picture/surfaces/surface_cache.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/tile_lists.h"
+#include "render/picture/surfaces/tile_lists.h"
 
 #include <algorithm>
 
