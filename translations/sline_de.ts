@@ -1848,8 +1848,8 @@
         <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
     </message>
     <message>
-        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
-        <translation>in Namen weggelassene Wörter, die nicht zur Anatomie gehören, aber der Name einer Person sein können; betroffene Namen: %1</translation>
+        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <translation>in Namen weggelassene Wörter und Zahlen, die nicht zur Anatomie gehören, aber zu einer Person gehören können; betroffene Namen: %1</translation>
     </message>
     <message>
         <source>there is no such member in the file</source>
@@ -8156,6 +8156,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PictureScreen</name>
+    <message>
+        <source>none, as the processor draws</source>
+        <translation>keines, da der Prozessor zeichnet</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PlanTree</name>
     <message>
         <source>What would be imported</source>
@@ -8966,8 +8973,8 @@ OpenGL: %3</translation>
         <translation>Ohne Titel</translation>
     </message>
     <message>
-        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
-        <translation>Niemand hat gesagt, wie lang die Einheit der Dateien ist: Was benannt ist, hat nicht die Größe solcher Strukturen, und Längen stehen mit einem „?“</translation>
+        <source>Nobody has said how long the unit of its files is, and not all has the size that it should have: lengths stand with a “?”</source>
+        <translation>Niemand hat gesagt, wie lang die Einheit der Dateien ist, und nicht alles hat die Größe, die es haben sollte: Längen stehen mit „?“</translation>
     </message>
 </context>
 <context>
@@ -9019,6 +9026,14 @@ OpenGL: %3</translation>
     <message>
         <source>Front and back are not certain: names tell left and right alone.</source>
         <translation>Vorn und hinten sind nicht sicher: Namen nennen nur links und rechts.</translation>
+    </message>
+    <message>
+        <source>Names are right</source>
+        <translation>Namen stimmen</translation>
+    </message>
+    <message>
+        <source>Labels show such names with a question mark, and no question asks for them.</source>
+        <translation>Beschriftungen zeigen solche Namen mit einem Fragezeichen, und keine Frage fragt danach.</translation>
     </message>
 </context>
 <context>

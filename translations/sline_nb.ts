@@ -1848,8 +1848,8 @@
         <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
     </message>
     <message>
-        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
-        <translation>i navn utelatte ord som ikke hører til anatomien, men kan være navnet på en person; antall navn: %1</translation>
+        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <translation>i navn utelatte ord og tall som ikke hører til anatomien, men kan høre til en person; antall navn: %1</translation>
     </message>
     <message>
         <source>there is no such member in the file</source>
@@ -8156,6 +8156,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PictureScreen</name>
+    <message>
+        <source>none, as the processor draws</source>
+        <translation>ingen, siden prosessoren tegner</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PlanTree</name>
     <message>
         <source>What would be imported</source>
@@ -8966,8 +8973,8 @@ OpenGL: %3</translation>
         <translation>Uten navn</translation>
     </message>
     <message>
-        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
-        <translation>Ingen har sagt hvor lang enheten i filene er: Det navngitte har ikke størrelsen til slike strukturer, og lengder står med «?»</translation>
+        <source>Nobody has said how long the unit of its files is, and not all has the size that it should have: lengths stand with a “?”</source>
+        <translation>Ingen har sagt hvor lang enheten i filene er, og ikke alt har den størrelsen det burde ha: lengder står med «?»</translation>
     </message>
 </context>
 <context>
@@ -9019,6 +9026,14 @@ OpenGL: %3</translation>
     <message>
         <source>Front and back are not certain: names tell left and right alone.</source>
         <translation>Foran og bak er ikke sikkert: navn sier bare venstre og høyre.</translation>
+    </message>
+    <message>
+        <source>Names are right</source>
+        <translation>Navnene stemmer</translation>
+    </message>
+    <message>
+        <source>Labels show such names with a question mark, and no question asks for them.</source>
+        <translation>Etiketter viser slike navn med spørsmålstegn, og ingen spørsmål spør etter dem.</translation>
     </message>
 </context>
 <context>

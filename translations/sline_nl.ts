@@ -1848,8 +1848,8 @@
         <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
     </message>
     <message>
-        <source>words that are no anatomy, but may be a person&apos;s name, were left out of names: %1</source>
-        <translation>in namen weggelaten woorden die niet bij de anatomie horen, maar de naam van een persoon kunnen zijn; aantal namen: %1</translation>
+        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <translation>in namen weggelaten woorden en getallen die niet bij de anatomie horen, maar bij een persoon kunnen horen; aantal namen: %1</translation>
     </message>
     <message>
         <source>there is no such member in the file</source>
@@ -8156,6 +8156,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PictureScreen</name>
+    <message>
+        <source>none, as the processor draws</source>
+        <translation>geen, omdat de processor tekent</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PlanTree</name>
     <message>
         <source>What would be imported</source>
@@ -8966,8 +8973,8 @@ OpenGL: %3</translation>
         <translation>Naamloos</translation>
     </message>
     <message>
-        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
-        <translation>Niemand heeft gezegd hoe lang de eenheid van de bestanden is: wat er genoemd wordt, heeft niet de grootte van zulke structuren, en lengtes staan met een “?”</translation>
+        <source>Nobody has said how long the unit of its files is, and not all has the size that it should have: lengths stand with a “?”</source>
+        <translation>Niemand heeft gezegd hoe lang de eenheid van de bestanden is, en niet alles heeft de grootte die het zou moeten hebben: lengtes staan met een „?”</translation>
     </message>
 </context>
 <context>
@@ -9019,6 +9026,14 @@ OpenGL: %3</translation>
     <message>
         <source>Front and back are not certain: names tell left and right alone.</source>
         <translation>Voor en achter zijn niet zeker: namen noemen alleen links en rechts.</translation>
+    </message>
+    <message>
+        <source>Names are right</source>
+        <translation>Namen kloppen</translation>
+    </message>
+    <message>
+        <source>Labels show such names with a question mark, and no question asks for them.</source>
+        <translation>Labels tonen zulke namen met een vraagteken, en geen vraag vraagt ernaar.</translation>
     </message>
 </context>
 <context>

@@ -268,6 +268,21 @@ class Settling {
   bool m_all = false;    ///< nothing is in doubt: everything is moved
 };
 
+Edited withNamesSettled(const Scene& scene) {
+  std::vector<Node> nodes = scene.nodes();
+  bool changed = false;
+  for (Node& node : nodes)
+    if (isNameDoubted(node)) {
+      node.provenance.nameEvidence = Evidence::settled;
+      changed = true;
+    }
+  if (!changed)
+    return {scene, false};
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return {std::move(after), true};
+}
+
 }  // namespace
 
 bool hasDoubtedSides(const Scene& scene) {
@@ -276,6 +291,11 @@ bool hasDoubtedSides(const Scene& scene) {
   return std::any_of(nodes.begin(), nodes.end(), isDoubted) ||
          std::any_of(scans.begin(), scans.end(),
                      [](const Scan& scan) { return !scan.evidence.isSure(); });
+}
+
+bool hasDoubtedNames(const Scene& scene) {
+  const auto& nodes = scene.nodes();
+  return std::any_of(nodes.begin(), nodes.end(), isNameDoubted);
 }
 
 bool isOnlyFrontDoubted(const Scene& scene) {
@@ -293,7 +313,7 @@ bool isOnlyFrontDoubted(const Scene& scene) {
 
 Edited withSidesSettled(const Scene& scene, SideAnswer answer) {
   if (answer == SideAnswer::right && !hasDoubtedSides(scene))
-    return {scene, false};
+    return withNamesSettled(scene);
   Scene after = Settling(scene, answer).run();
   const bool changed = !(after == scene);
   return {std::move(after), changed};

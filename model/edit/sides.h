@@ -21,14 +21,18 @@ inline constexpr std::array<std::string_view, 3> sideAnswerNames{"right", "mirro
 /// Tells whether anything in the scene, visible or not, has sides that are in doubt.
 bool hasDoubtedSides(const Scene& scene);
 
+/// Tells whether any structure, visible or not, has a name that is in doubt (known_frame.h).
+bool hasDoubtedNames(const Scene& scene);
+
 /// Tells whether what is in doubt is the front alone: a mirror image then has front and back
 /// swapped.
 bool isOnlyFrontDoubted(const Scene& scene);
 
 /// Settles the sides of all that is in doubt, or of everything that has sides where nothing is.
-/// What is mirrored or turned keeps its outside out. Where nothing else is sure of its sides, free
-/// places of annotations, sections, views and scans go with it; else they stay with what is sure,
-/// but for sections of what is moved alone.
+/// That all is right settles the names that are in doubt where no sides are. What is mirrored or
+/// turned keeps its outside out. Where nothing else is sure of its sides, free places of
+/// annotations, sections, views and scans go with it; else they stay with what is sure, but for
+/// sections of what is moved alone.
 Edited withSidesSettled(const Scene& scene, SideAnswer answer);
 
 /// Says how structures whose frame was only assumed are read, now that others have come to them.

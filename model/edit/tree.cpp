@@ -170,8 +170,12 @@ Edited renamed(const Scene& scene, NodeId id, const std::string& name, const Nam
   std::vector<Node> nodes = scene.nodes();
   Called old;
   for (Node& node : nodes)
-    if (node.id == id)
+    if (node.id == id) {
       old.name = std::exchange(node.name, name);
+      // What was found of the name before says nothing of the new one.
+      if (node.name != old.name)
+        node.provenance.nameEvidence = Evidence::known;
+    }
   Edited edited = withNodesReplaced(scene, std::move(nodes));
   if (!edited.changed)
     return edited;

@@ -78,6 +78,7 @@ Node published(Node node, bool names) {
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;
   kept.evidence = node.provenance.evidence;
+  kept.nameEvidence = node.provenance.nameEvidence;
   kept.unitEvidence = node.provenance.unitEvidence;
   node.provenance = kept;
   node.atoms = {};

@@ -83,6 +83,20 @@ bool hasSides(const Scene& scene) {
   return known || !any;
 }
 
+bool isNameDoubted(const Node& node) {
+  return !node.isGroup() && !isSure(node.provenance.nameEvidence);
+}
+
+bool namesInDoubt(const Scene& scene, const Annotation& annotation) {
+  const bool names =
+      annotation.kind == AnnotationKind::label || annotation.kind == AnnotationKind::pin;
+  const auto* point = !names || annotation.anchors.empty()
+                          ? nullptr
+                          : std::get_if<SurfacePoint>(&annotation.anchors.front());
+  const Node* node = point ? scene.find(point->structure) : nullptr;
+  return node && isNameDoubted(*node);
+}
+
 bool KnownSides::inDoubt(int axis) const {
   return any && axis < 2 && !isSure(axis == 0 ? evidence.sides : evidence.front);
 }

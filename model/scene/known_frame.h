@@ -46,6 +46,15 @@ struct KnownSides {
   bool operator==(const KnownSides&) const = default;
 };
 
+/// Stands behind words that are in doubt.
+inline constexpr std::string_view doubtMark = " (?)";
+
+/// Tells whether the structure was found to lie on the other side than its name says, and nobody
+/// has said since that this is right.
+bool isNameDoubted(const Node& node);
+/// Tells whether the annotation names such a structure: as a label or a pin on it.
+bool namesInDoubt(const Scene& scene, const Annotation& annotation);
+
 /// Returns how sure the sides are of what is visible, and of the scans.
 KnownSides knownSides(const Scene& scene);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/scene/known_frame.h"
+
 namespace sline::model {
 
 std::vector<std::string> languagesIn(const std::string& tags) {
@@ -33,6 +35,13 @@ std::string writtenIn(const Annotation& annotation, const std::string& tags) {
   std::string words = said.front();
   for (std::size_t i = 1; i < said.size(); ++i)
     words += (words.empty() ? "" : between) + said[i];
+  return words;
+}
+
+std::string writtenIn(const Scene& scene, const Annotation& annotation, const std::string& tags) {
+  std::string words = writtenIn(annotation, tags);
+  if (!words.empty() && namesInDoubt(scene, annotation))
+    words += doubtMark;
   return words;
 }
 

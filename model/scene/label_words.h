@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/annotation.h"
+#include "model/scene/scene.h"
 
 namespace sline::model {
 
@@ -19,5 +19,8 @@ std::string firstLanguage(const std::string& tags);
 /// has words in them: "Harnblase / Vesica urinaria", those of a callout one below the other. What
 /// is the same in several stands once.
 std::string writtenIn(const Annotation& annotation, const std::string& tags);
+/// Returns it as pictures show it: what names a structure by a name that is in doubt carries a mark
+/// (known_frame.h).
+std::string writtenIn(const Scene& scene, const Annotation& annotation, const std::string& tags);
 
 }  // namespace sline::model

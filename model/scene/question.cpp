@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 
@@ -27,7 +28,8 @@ class QuestionFilter {
     const bool names = annotation.kind == AnnotationKind::label ||
                        annotation.kind == AnnotationKind::pin ||
                        (m_choice.callouts && annotation.kind == AnnotationKind::callout);
-    if (!annotation.visible || !names || annotation.anchors.empty())
+    if (!annotation.visible || !names || annotation.anchors.empty() ||
+        namesInDoubt(m_scene, annotation))
       return false;
     const auto* point = std::get_if<SurfacePoint>(&annotation.anchors.front());
     if (!point)

@@ -30,8 +30,8 @@ struct QuestionChoice {
 
 /// Returns a question for each thing that visible labels and pins name on visible structures, in
 /// the order of the annotations and in that language, or those ("de+la"). Things of one name are
-/// one question. Callouts explain, so they are not asked for unless they are chosen; distances
-/// never are.
+/// one question. What has a name that is in doubt is not asked for. Callouts explain, so they are
+/// not asked for unless they are chosen; distances never are.
 std::vector<Question> questionsOf(const Scene& scene, const std::string& language,
                                   const QuestionChoice& choice = {});
 

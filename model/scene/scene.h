@@ -59,8 +59,10 @@ struct ReadExtent {
 struct Provenance {
   std::string file;   ///< file name without its folder, or "#" and a checksum of it
   std::string frame;  ///< how the file's coordinates were read, a name of `frames` (laterality.h)
-  std::string frameReason;   ///< what decided the frame
-  SideEvidence evidence;     ///< how sure that is
+  std::string frameReason;  ///< what decided the frame
+  SideEvidence evidence;    ///< how sure that is
+  /// Says how sure it is that the structure lies on the side that its name says.
+  Evidence nameEvidence = Evidence::known;
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area

@@ -20,6 +20,11 @@ std::vector<VisibleStructure> visibleStructures(const Scene& scene) {
   return visible;
 }
 
+bool isCutAway(const Scene& scene, const Node& structure) {
+  const std::vector<Plane> planes = planesOf(scene.sectionsOf(structure.id));
+  return !planes.empty() && keptPoints(*structure.mesh, planes).empty();
+}
+
 std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene) {
   std::unordered_set<std::uint64_t> ids;
   for (const Annotation& annotation : scene.annotations())

@@ -21,6 +21,9 @@ struct VisibleStructure {
 /// hidden neither by their own style nor by a group.
 std::vector<VisibleStructure> visibleStructures(const Scene& scene);
 
+/// Tells whether sections take away all of the structure.
+bool isCutAway(const Scene& scene, const Node& structure);
+
 /// Returns the ids, by value, of the structures that visible annotations point at.
 std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene);
 

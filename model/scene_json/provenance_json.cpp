@@ -113,6 +113,8 @@ Provenance provenanceFrom(JsonObject& object) {
   text("frame", p.frame);
   text("frame_reason", p.frameReason);
   p.evidence = evidenceFrom(object, evidenceOfReason(p.frameReason));
+  if (const auto value = object.take("name_evidence"))
+    p.nameEvidence = evidenceOf(*value);
   number("mm_per_unit", p.mmPerUnit);
   text("unit_reason", p.unitReason);
   if (const auto value = object.take("unit_evidence"))
@@ -155,6 +157,8 @@ Ordered provenanceJson(const Provenance& p) {
                   {"repaired_faces", p.repairedFaces},
                   {"displacement_mm", jsonNumber(p.displacementMm)}};
   putEvidence(json, p.evidence, evidenceOfReason(p.frameReason));
+  if (p.nameEvidence != Evidence::known)
+    json["name_evidence"] = evidenceNames[std::size_t(p.nameEvidence)];
   if (p.unitEvidence != Evidence::known)
     json["unit_evidence"] = evidenceNames[std::size_t(p.unitEvidence)];
   if (p.sliceMm > 0.0f)

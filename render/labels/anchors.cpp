@@ -38,8 +38,8 @@ class Finder {
       if (std::optional<LabelItem> item = itemOf(annotation)) {
         const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
         m_named.push_back(point ? point->structure : model::NodeId());
-        m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
-                                  annotation.colour, drawnLength(m_scene, annotation),
+        m_labels.shown.push_back({*std::move(item), model::writtenIn(m_scene, annotation, language),
+                                  number, annotation.colour, drawnLength(m_scene, annotation),
                                   std::move(m_choices), m_unit});
       }
     }

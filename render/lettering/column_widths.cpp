@@ -120,7 +120,7 @@ std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& s
     label.item.id = annotation.id;
     label.item.kind = annotation.kind;
     label.item.offset = annotation.offset;
-    label.text = model::writtenIn(annotation, style.language);
+    label.text = model::writtenIn(scene, annotation, style.language);
     label.number = ++number;
     for (const model::Anchor& anchor : model::pointedAt(annotation))
       if (const auto point = scene.placeOf(anchor))

@@ -142,7 +142,7 @@ QString MarkWords::view(const std::string& name, const model::Camera& camera) co
 }
 
 QString MarkWords::doubted(const QString& text, int axis) const {
-  return m_sides.inDoubt(axis) ? text + QStringLiteral(" (?)") : text;
+  return m_sides.inDoubt(axis) ? text + QLatin1String(model::doubtMark) : text;
 }
 
 QString MarkWords::section(const model::Plane& plane, model::DrawnUnit unit) const {

@@ -261,9 +261,9 @@ class ArchTest : public QObject {
   void roomSizes() {
     // They are to be divided: these numbers may only fall.
     const std::map<std::string, std::size_t> larger{
-        {"app/cli", 5300},        {"model/geometry", 4350}, {"model/import/plan", 6400},
-        {"model/scene", 5200},    {"render/labels", 5300},  {"render/picture", 4300},
-        {"render/strokes", 5250}, {"widgets/gamma", 5400}};
+        {"app/cli", 5300},      {"model/geometry", 4350}, {"model/import/plan", 6320},
+        {"model/scene", 5200},  {"render/labels", 5300},  {"render/strokes", 5250},
+        {"widgets/gamma", 5400}};
     report(checkRoomSizes(tree({"*.h", "*.cpp"}), house(), larger));
   }
   void ownHeaderFirst() {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "model/edit/sides.h"
 #include "model/edit/tree.h"
 #include "model/scene/known_frame.h"
 #include "tests/gui/window_fixture.h"
@@ -93,9 +94,18 @@ class SidesBarTest : public QObject {
     QVERIFY(f.settled());
     auto& bar = f.control<QFrame>("sidesBar");
     QTRY_VERIFY(bar.isVisible());  // names are compared beside the window
-    const QString says = f.control<QLabel>("sidesQuestion").text();
-    QCOMPARE(says, QString("\"left kidney\" lies on the other side than its name says."));
-    QVERIFY(!f.control<QPushButton>("sidesRightButton").isVisible());
+    const QStringList says = f.control<QLabel>("sidesQuestion").text().split('\n');
+    QCOMPARE(says.front(), QString("\"left kidney\" lies on the other side than its name says."));
+    QVERIFY2(says.back().contains("question mark"), qPrintable(says.back()));
+    QVERIFY(!f.control<QPushButton>("sidesMirrorButton").isVisible());
+    // Whoever knows better says so.
+    auto& right = f.control<QPushButton>("sidesRightButton");
+    QCOMPARE(right.text(), QString("Names are right"));
+    right.click();
+    QTRY_VERIFY(!bar.isVisible());
+    QVERIFY(!model::hasDoubtedNames(f.session.scene()));
+    f.session.undo();
+    QTRY_VERIFY(bar.isVisible());
     // The bar goes with what it tells, and comes back with it.
     const model::NodeId kidney = f.session.scene().named("left kidney").front();
     QVERIFY(f.session.apply("Rename", model::renamed(f.session.scene(), kidney, "right kidney")));

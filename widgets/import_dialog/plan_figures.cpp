@@ -5,7 +5,7 @@
 #include <set>
 
 #include "model/import/naming/laterality.h"
-#include "model/import/plan/other_sides.h"
+#include "model/import/naming/other_sides.h"
 #include "model/import/plan/read_inputs.h"
 #include "widgets/import_dialog/scan_slices.h"
 

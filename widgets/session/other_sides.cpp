@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/import/plan/other_sides.h"
+#include "model/import/naming/other_sides.h"
 
 namespace sline::widgets {
 
 bool OtherSides::Compared::of(const model::Node& node) const {
   return node.mesh == mesh && node.name == name && node.provenance.frame == frame &&
-         node.provenance.evidence.sides == sides;
+         node.provenance.evidence.sides == sides && node.provenance.nameEvidence == ofName;
 }
 
 bool OtherSides::holdsFor(const model::Scene& scene) const {
@@ -30,8 +30,8 @@ void OtherSides::follow(const model::Scene& scene, int opening) {
   m_comparedOf.clear();
   for (const model::Node& node : scene.nodes())
     if (!node.isGroup())
-      m_comparedOf.push_back(
-          {node.name, node.provenance.frame, node.provenance.evidence.sides, node.mesh});
+      m_comparedOf.push_back({node.name, node.provenance.frame, node.provenance.evidence.sides,
+                              node.provenance.nameEvidence, node.mesh});
   m_queue.drop();
   m_queue.add([this, scene](const std::stop_token& stop) -> BackgroundQueue::Sequel {
     if (stop.stop_requested())

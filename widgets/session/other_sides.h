@@ -33,6 +33,7 @@ class OtherSides : public QObject {
     std::string name;
     std::string frame;
     model::Evidence sides;
+    model::Evidence ofName;
     model::MeshPtr mesh;
     bool of(const model::Node& node) const;
   };

@@ -222,8 +222,8 @@ void Session::open(const LoadedDocument& loaded) {
   QStringList remarks = loaded.remarks;
   if (loaded.unitDoubts.empty() && model::hasDoubtedUnits(loaded.scene))
     remarks << tr(
-        "Nobody has said how long the unit of its files is: what is named has not the "
-        "size of such structures, and lengths stand with a “?”");
+        "Nobody has said how long the unit of its files is, and not all has the size that it "
+        "should have: lengths stand with a “?”");
   if (!remarks.isEmpty())
     emit remarked(remarks);
 }

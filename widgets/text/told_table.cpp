@@ -239,8 +239,8 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "no structure of the scene came from these of its surfaces: %1"),
     QT_TRANSLATE_NOOP("Told", "it holds no surface %1 any more"),
     QT_TRANSLATE_NOOP("Told",
-                      "words that are no anatomy, but may be a person's name, were left out of "
-                      "names: %1"),
+                      "words and numbers that are no anatomy, but may be a person's, were left out "
+                      "of names: %1"),
     QT_TRANSLATE_NOOP("Told", "it has no face with area any more"),
     QT_TRANSLATE_NOOP("Told", "chosen by the user"),
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),

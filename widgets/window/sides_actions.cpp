@@ -83,7 +83,9 @@ void SidesActions::makeBar(QGridLayout& centre) {
 }
 
 void SidesActions::settle(model::SideAnswer answer) {
-  const QString step = answer == model::SideAnswer::right    ? tr("Sides are right")
+  const bool names = !model::hasDoubtedSides(m_session.scene());
+  const QString step = answer == model::SideAnswer::right
+                           ? (names ? tr("Names are right") : tr("Sides are right"))
                        : answer == model::SideAnswer::mirror ? tr("Mirror left and right")
                                                              : tr("Turn about the body's axis");
   const bool moved = answer != model::SideAnswer::right;
@@ -122,12 +124,16 @@ void SidesActions::showState() {
     return !node.isGroup() && !model::isSure(node.provenance.evidence.front);
   };
   const bool any = std::any_of(nodes.begin(), nodes.end(), sided);
-  actionOf(m_actions, model::SideAnswer::right).setEnabled(doubted);
+  const bool names = !doubted && model::hasDoubtedNames(scene);
+  actionOf(m_actions, model::SideAnswer::right).setEnabled(doubted || names);
   actionOf(m_actions, model::SideAnswer::mirror).setEnabled(any);
   actionOf(m_actions, model::SideAnswer::turn).setEnabled(any);
   const std::string& other = m_session.otherSides().text();
   for (QPushButton* answer : m_answers)
     answer->setVisible(doubted);
+  QPushButton& right = *m_answers[std::size_t(model::SideAnswer::right)];
+  right.setVisible(doubted || names);
+  right.setText(names ? tr("Names are right") : tr("Sides are right"));
   m_answers[std::size_t(model::SideAnswer::turn)]->setVisible(
       std::any_of(nodes.begin(), nodes.end(), frontDoubted) && !model::isOnlyFrontDoubted(scene));
   QStringList says;
@@ -135,6 +141,8 @@ void SidesActions::showState() {
     says << question();
   if (!other.empty())
     says << told(other) + QLatin1Char('.');
+  if (names && !other.empty())
+    says << tr("Labels show such names with a question mark, and no question asks for them.");
   if (!says.isEmpty())
     m_question->setText(says.join(QLatin1Char('\n')));
   m_bar->setVisible(!says.isEmpty() && m_closedFor != m_session.document().opening);

@@ -101,12 +101,12 @@ Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportO
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
   if (imported->report.unitDoubts.empty() && model::hasDoubtedUnits(imported->scene))
     warn(
-        "nobody has said how long the unit of its files is: what is named has not the size of such "
-        "structures, and lengths stand with a \"?\"");
+        "nobody has said how long the unit of its files is, and not all has the size that it "
+        "should have: lengths stand with a \"?\"");
   tellUnits(imported->report);
   tellNotes(imported->report, flags.verbose);
   if (const auto sides = parseSides(flags.sides); sides.ok() && *sides) {
-    if (model::hasDoubtedSides(imported->scene))
+    if (model::hasDoubtedSides(imported->scene) || model::hasDoubtedNames(imported->scene))
       imported->scene = model::withSidesSettled(imported->scene, **sides).scene;
     else if (**sides != model::SideAnswer::right)
       warn("no sides are in doubt, so --sides changes nothing; --frame overrules what files say");

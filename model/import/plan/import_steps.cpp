@@ -12,12 +12,12 @@
 #include "model/edit/sides.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
+#include "model/import/naming/other_sides.h"
 #include "model/import/plan/file_marks.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_decision.h"
 #include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
-#include "model/import/plan/other_sides.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
 #include "model/import/plan/scene_inputs.h"
@@ -91,7 +91,7 @@ void tellCutNames(std::size_t count, const std::vector<Part>& parts,
       if (std::find(words.begin(), words.end(), word) == words.end())
         words.push_back(std::move(word));
   std::string text =
-      "words that are no anatomy, but may be a person's name, were left out of names: " +
+      "words and numbers that are no anatomy, but may be a person's, were left out of names: " +
       std::to_string(count);
   for (std::size_t i = 0; i < std::min(words.size(), mostTold); ++i)
     text += (i == 0 ? " (\"" : ", \"") + words[i] + '"';
@@ -282,6 +282,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   warnOfTwins(whole, read, options, imported.report);
   warnOfSizes(imported);
   warnOfBodies(whole, imported.report);
+  markNamesInDoubt(imported.scene, whole);
   imported.scene.setScans(std::move(scans));
   if (const Status kept = bringWithinLimits(imported); !kept.ok())
     return kept.error();

@@ -24,6 +24,9 @@ constexpr std::array<float, 8> mistakes{10.0f, 1000.0f, 25.4f, 100.0f,
 /// A structure beyond the known sizes by more than this is told even where no unit makes it right.
 constexpr float farBeyond = 1.5f;
 
+/// What is cut out of a body, all together, is as large as this if its unit is a millimetre.
+constexpr Limits<float> ofABody{2.0f, 3000.0f};
+
 /// Sets the length of a part's unit, from what its file says, and where it says so.
 void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
   std::string& reason = part.provenance.unitReason;
@@ -139,6 +142,7 @@ class UnitDecision {
              [this, &of = of](const Part& part) { return isAlike(part, of); });
       else
         doubtFilesOf(sizes, std::get<float>(of));
+    doubtOddWholes(alike);
   }
 
  private:
@@ -184,6 +188,31 @@ class UnitDecision {
         doubt->file = m_parts[own.front().part].provenance.file;
         tell(std::move(*doubt), own, [file = file](const Part& part) { return part.file == file; });
       }
+  }
+
+  /// Doubts millimetres that were only assumed of files that together are as large as no body's
+  /// parts are, where no name says that they may be.
+  template <class NamesOfSources>
+  void doubtOddWholes(const NamesOfSources& alike) {
+    std::map<std::size_t, std::pair<Box, std::vector<Part*>>> wholes;
+    for (Part& part : m_parts) {
+      const auto& file = m_sources.files[part.file];
+      if (part.raw.molecule || isSettled(part) || !part.raw.unitReason.empty() || file.model ||
+          !isSure(part.provenance.unitEvidence))
+        continue;
+      auto& [box, parts] = wholes[file.source];
+      parts.push_back(&part);
+      for (const glm::vec3& p : part.raw.positions)
+        box.add(part.unit * p);
+    }
+    for (const auto& [of, sizes] : alike)
+      if (fitting(sizes, 1.0f) > 0)
+        wholes.erase(std::get<std::size_t>(of));
+    for (const auto& [source, whole] : wholes)
+      if (const glm::vec3 size = whole.first.size();
+          !ofABody.contain(std::max({size.x, size.y, size.z})))
+        for (Part* part : whole.second)
+          part->provenance.unitEvidence = Evidence::assumed;
   }
 
   /// Tells whether nobody needs to be asked for the unit: a person or the file has stated it.

@@ -40,6 +40,8 @@ class Describing {
     if (!named)
       return m_said.join(QLatin1Char(' ')).toStdString();
     addLabelled();
+    for (const QString& distance : m_facts.distances)
+      add(distance + QLatin1Char('.'));
     if (m_named.empty()) {
       addOthers(m_words.shown);
       addBefore();

@@ -25,12 +25,12 @@ constexpr float leastCover = 0.12f;
 /// Names of files may be of any length.
 constexpr qsizetype longestName = 60;
 
-QString shortLine(const std::string& text) {
+QString shortLine(const std::string& text, qsizetype longest = longestName) {
   QString line;
   for (const QChar letter : QString::fromStdString(text))
     line += letter.isPrint() || letter.isSurrogate() ? letter : QChar(u' ');
   line = line.simplified();
-  return line.size() <= longestName ? line : line.left(longestName - 1).trimmed() + QChar(0x2026);
+  return line.size() <= longest ? line : line.left(longest - 1).trimmed() + QChar(0x2026);
 }
 
 /// Returns the side of the body that a direction (LPS) points to, with how much it does.
@@ -83,15 +83,34 @@ std::map<model::NodeId, QString> labelNames(const ExportOrder& order) {
     if (!annotation.visible || annotation.kind == model::AnnotationKind::distance || !point)
       continue;
     // What a callout says is a sentence: its structure has a name.
-    const QString text = annotation.kind == model::AnnotationKind::callout
-                             ? QString()
-                             : shortLine(model::plainTextIn(
-                                   annotation, model::firstLanguage(order.labels.language)));
+    const QString text =
+        annotation.kind == model::AnnotationKind::callout
+            ? QString()
+            : shortLine(model::writtenIn(order.scene, annotation,
+                                         model::firstLanguage(order.labels.language)));
     QString& name = names[point->structure];
     if (!text.isEmpty() && !name.split(QStringLiteral(", ")).contains(text))
       name += (name.isEmpty() ? QString() : QStringLiteral(", ")) + text;
   }
   return names;
+}
+
+/// Returns what distances that the picture shows say.
+QStringList distancesIn(const ExportOrder& order, const Screen& screen, model::MeshTrees& trees) {
+  const std::string language = model::firstLanguage(order.labels.language);
+  std::vector<model::Annotation> annotations = order.scene.annotations();
+  std::erase_if(annotations, [](const model::Annotation& annotation) {
+    return !annotation.visible || annotation.kind != model::AnnotationKind::distance;
+  });
+  QStringList distances;
+  if (annotations.empty())
+    return distances;
+  model::Scene scene = order.scene;
+  scene.setAnnotations(std::move(annotations));
+  for (const ShownLabel& label : shownLabels(scene, screen, language, trees))
+    if (label.length)
+      distances << shortLine(keyLine(scene, label, {.language = language}), 3 * longestName);
+  return distances;
 }
 
 void findBefore(PictureFacts& facts, const std::vector<SeenCover>& covers) {
@@ -134,10 +153,11 @@ PictureFacts pictureFacts(const ExportOrder& order) {
                       .labelled = label != labels.end(),
                       .across = share.middle.x / screen.size().x};
     if (one.name.isEmpty())
-      one.name = shortLine(structureName(order.scene.find(share.structure)->name, language));
+      one.name = shortLine(structureName(*order.scene.find(share.structure), language));
     facts.structures.push_back(std::move(one));
   }
   findBefore(facts, map.covers());
+  facts.distances = distancesIn(order, screen, trees);
   if (const model::KnownSides sides = knownSides(order.scene); sides.any) {
     findSides(facts, order.camera);
     facts.sidesInDoubt = saysWhatIsInDoubt(facts, sides);

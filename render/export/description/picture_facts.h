@@ -26,6 +26,7 @@ struct SeenBefore {
 struct PictureFacts {
   std::vector<SeenStructure> structures;  ///< those of which one sees most first
   std::vector<SeenBefore> before;         ///< what is most hidden first
+  QStringList distances;  ///< what distances of the picture lead from and to, and their lengths
   /// The sides of the body that face the viewer, the most first; none where sides are not known.
   std::vector<model::AnatomicalView> from;
   std::optional<model::AnatomicalView> left;  ///< the side of the body at the picture's left edge

@@ -17,7 +17,7 @@ void FigureLegendRows::add(const model::Scene& scene, const std::string& languag
   for (const model::Node* node : legendStructures(scene, m_list)) {
     const LegendEntry entry{
         .name = node->name,
-        .text = QString::fromStdString(structureName(node->name, language)).simplified(),
+        .text = QString::fromStdString(structureName(*node, language)).simplified(),
         .colour = scene.resolve(node->id).colour};
     if (std::find(m_entries.begin(), m_entries.end(), entry) == m_entries.end())
       m_entries.push_back(entry);

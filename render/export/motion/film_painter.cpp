@@ -28,7 +28,7 @@ class Sightings {
       return;
     for (const model::Annotation& annotation : frame.scene.annotations())
       if (annotation.visible)
-        m_wanted.try_emplace(annotation.id, model::writtenIn(annotation, language));
+        m_wanted.try_emplace(annotation.id, model::writtenIn(frame.scene, annotation, language));
     for (const ShownLabel& label : plate.labels->labels)
       m_met.insert(label.item.id);
     for (const model::AnnotationId id : plate.labels->layout.leftOut)

@@ -182,7 +182,7 @@ std::vector<QString> SheetSetter::listed() const {
 }
 
 QString SheetSetter::nameOf(const model::Node& node) const {
-  return QString::fromStdString(structureName(node.name, m_order.labels.language)).simplified();
+  return QString::fromStdString(structureName(node, m_order.labels.language)).simplified();
 }
 
 /// Labels keep the places and numbers of the layout before.
@@ -201,7 +201,8 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
   for (const ShownLabel& label : plate.labels->labels)
     if (plate.labels->layout.find(label.item.id))
       m_numbers.push_back(
-          {label.number, QString::fromStdString(keyText(label, m_order.labels)).simplified()});
+          {label.number,
+           QString::fromStdString(keyLine(m_order.scene, label, m_order.labels)).simplified()});
   if (!numbersInLegend(m_given) || m_order.labels.mode != LabelMode::numbers)
     return;
   for (const model::Annotation& annotation : m_order.scene.annotations())

@@ -37,8 +37,7 @@ QString titleOf(const ExportOrder& order, const model::GammaMap& map, const Mark
   QStringList names;
   for (const model::NodeId target : map.targets)
     if (const model::Node* node = order.scene.find(target))
-      names
-          << QString::fromStdString(structureName(node->name, order.labels.language)).simplified();
+      names << QString::fromStdString(structureName(*node, order.labels.language)).simplified();
   if (names.isEmpty() && !map.place)
     return {};
   const QString from = names.isEmpty()       ? words.somePlace()

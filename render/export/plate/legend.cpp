@@ -5,8 +5,10 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/scene/in_focus.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 
@@ -24,9 +26,10 @@ std::vector<const model::Node*> legendStructures(const model::Scene& scene, Lege
   const auto labelled = model::annotatedStructures(scene);
   std::vector<const model::Node*> listed;
   for (const model::VisibleStructure& structure : model::visibleStructures(scene))
-    if (list == LegendList::all ||
-        (list == LegendList::labelled && labelled.contains(structure.node->id.value)) ||
-        (list == LegendList::focus && model::isInFocus(scene, structure.node->id)))
+    if ((list == LegendList::all ||
+         (list == LegendList::labelled && labelled.contains(structure.node->id.value)) ||
+         (list == LegendList::focus && model::isInFocus(scene, structure.node->id))) &&
+        !isCutAway(scene, *structure.node))
       listed.push_back(structure.node);
   return listed;
 }
@@ -42,6 +45,40 @@ std::string structureName(const std::string& name, const std::string& language) 
     said.push_back(one);
   }
   return all;
+}
+
+std::string structureName(const model::Node& node, const std::string& language) {
+  std::string name = structureName(node.name, language);
+  if (model::isNameDoubted(node))
+    name += model::doubtMark;
+  return name;
+}
+
+std::string distanceEnds(const model::Scene& scene, const model::Annotation& annotation,
+                         const std::string& language) {
+  std::vector<std::string> names;
+  for (const model::Anchor& anchor : annotation.anchors) {
+    const auto* point = std::get_if<model::SurfacePoint>(&anchor);
+    const model::Node* node = point ? scene.find(point->structure) : nullptr;
+    if (!node || annotation.kind != model::AnnotationKind::distance)
+      continue;
+    std::string name = structureName(*node, language);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  }
+  std::string ends;
+  for (const std::string& name : names)
+    ends += (ends.empty() ? "" : " – ") + name;
+  return ends;
+}
+
+std::string keyLine(const model::Scene& scene, const ShownLabel& label, const LabelStyle& style) {
+  std::string ends;
+  if (label.length && label.text.empty())
+    for (const model::Annotation& annotation : scene.annotations())
+      if (annotation.id == label.item.id)
+        ends = distanceEnds(scene, annotation, model::firstLanguage(style.language));
+  return (ends.empty() ? "" : ends + ": ") + keyText(label, style);
 }
 
 }  // namespace sline::render

@@ -375,7 +375,7 @@ void MarkLayout::addLegend() {
   float width = 0.0f;
   for (const model::Node* node : structures) {
     const QString whole =
-        QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
+        QString::fromStdString(structureName(*node, m_order.labels.language)).simplified();
     names.push_back(elidedTo(whole, points(smallSize), widestName * m_size.x));
     if (names.back() != whole)
       shortened.push_back(whole);

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/legend.h"
 #include "render/lettering/column_widths.h"
 #include "render/lettering/fitted_sides.h"
 #include "render/lettering/looks_in_colour.h"
@@ -16,12 +17,12 @@ namespace sline::render {
 
 namespace {
 
-LabelReport reportOf(const FigurePlate& plate) {
+LabelReport reportOf(const ExportOrder& order, const FigurePlate& plate) {
   LabelReport report{.key = {}, .leftOut = {}, .marks = plate.marks.notes};
   if (!plate.labels)
     return report;
   for (const ShownLabel& label : plate.labels->labels) {
-    const std::string text = keyText(label, plate.labels->style);
+    const std::string text = keyLine(order.scene, label, plate.labels->style);
     if (plate.labels->layout.find(label.item.id))
       report.key.push_back({label.number, text});
     else
@@ -68,12 +69,12 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[std::size_t(4) * std::size_t(y) * std::size_t(image.width)],
                 drawn.constScanLine(y), std::size_t(4) * std::size_t(image.width));
-  return reportOf(plate);
+  return reportOf(order, plate);
 }
 
 LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
   const FigurePlate plate = figurePlate(order);
-  return reportOf(plate);
+  return reportOf(order, plate);
 }
 
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {

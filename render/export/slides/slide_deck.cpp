@@ -12,6 +12,7 @@
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/legend.h"
 #include "render/export/plate/shown_questions.h"
 #include "render/export/plate/source_credits.h"
 #include "render/export/svg/svg_file.h"
@@ -218,7 +219,7 @@ class Making {
       if (plate.labels->layout.find(label.item.id))
         key.key.push_back(
             {label.number,
-             {keyText(label, plate.labels->style), languageOf(order, label.item.id)}});
+             {keyLine(order.scene, label, plate.labels->style), languageOf(order, label.item.id)}});
     m_deck.slides.push_back(std::move(slide));
     m_deck.slides.push_back(std::move(key));
   }

@@ -8,6 +8,7 @@
 
 #include "model/anatomy/body_systems.h"
 #include "model/anatomy/kin_names.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
 #include "model/scene/question.h"
 #include "model/scene/visible_structures.h"
@@ -89,7 +90,7 @@ void addSeen(std::vector<AskedThing>& things, const AskedPicture& picture, const
         (!askedNames(order).empty() && !isAmong(scene, id, wanted)))
       continue;
     const std::optional<SeenPlace> place = map.find(id);
-    if (!place || place->hidden || !place->sure)
+    if (!place || place->hidden || !place->sure || model::isNameDoubted(*structure.node))
       continue;
     const WordsByLanguage said = spokenName(structure.node->name, words);
     if (normalisedAnswer(said.at(words.language())).empty())

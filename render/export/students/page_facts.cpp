@@ -92,7 +92,7 @@ class FactsMaker {
     Json facts{{"id", node.id.value},
                {"parent", node.parent.value},
                {"group", node.isGroup()},
-               {"names", m_words.ofName(node.name)},
+               {"names", m_words.ofName(node)},
                {"colour", hexColour(style.colour)},
                {"gamma", rounded(style.gamma.value())},
                {"visible", style.visible},

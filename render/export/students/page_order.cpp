@@ -54,6 +54,7 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
   kept.evidence = node.provenance.evidence;
   if (unit == model::DrawnUnit::angstrom && node.provenance.unitReason == model::angstromReason)
     kept.unitReason = model::angstromReason;
+  kept.nameEvidence = node.provenance.nameEvidence;
   kept.unitEvidence = node.provenance.unitEvidence;
   node.provenance = kept;
   node.atoms = {};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
@@ -120,17 +121,20 @@ class QuestionMaker {
   void addChains() {
     for (const VesselChain& chain : vesselChains(m_order.scene)) {
       const std::optional<int> view = viewShowing(chain.vessels);
-      if (!view)
+      const bool doubted = std::any_of(
+          chain.vessels.begin(), chain.vessels.end(),
+          [this](model::NodeId id) { return model::isNameDoubted(*m_order.scene.find(id)); });
+      if (!view || doubted)
         continue;
       ++m_number;
       PageQuestion& question = m_questions.emplace_back();
       question.id = "order-" + std::to_string(m_number);
       question.kind = "order";
       question.view = view;
-      question.words = m_words.ofName(m_order.scene.find(chain.group)->name);
+      question.words = m_words.ofName(*m_order.scene.find(chain.group));
       question.structures = chain.vessels;
       for (const model::NodeId id : chain.vessels)
-        question.choices.push_back(m_words.ofName(m_order.scene.find(id)->name));
+        question.choices.push_back(m_words.ofName(*m_order.scene.find(id)));
     }
   }
 

@@ -91,11 +91,11 @@ PageWords::PageWords(const ExportOrder& order, const StudentsOptions& own)
       m_languages(languagesOf(order, own)),
       m_silent(own.quiz == QuizMode::only) {}
 
-WordsByLanguage PageWords::ofName(const std::string& name) const {
+WordsByLanguage PageWords::ofName(const model::Node& node) const {
   WordsByLanguage words;
   if (!m_silent)
     for (const std::string& tag : m_languages)
-      words[tag] = structureName(name, tag);
+      words[tag] = structureName(node, tag);
   return words;
 }
 
@@ -115,6 +115,8 @@ WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
     words[tag] = annotation.texts.contains(tag) || annotation.kind == model::AnnotationKind::callout
                      ? text
                      : structureName(text, tag);
+    if (namesInDoubt(m_scene, annotation))
+      words[tag] += model::doubtMark;
   }
   return words;
 }

@@ -31,7 +31,7 @@ class PageWords {
   bool silent() const { return m_silent; }
 
   /// Returns what a structure or group of that name is called; nothing in a silent page.
-  WordsByLanguage ofName(const std::string& name) const;
+  WordsByLanguage ofName(const model::Node& node) const;
   /// Returns what a label says as plain text, in languages in which it has no text the name that it
   /// is there; the same in a silent page, for answers.
   WordsByLanguage ofLabel(const model::Annotation& annotation) const;

@@ -56,7 +56,36 @@ class ImportUnitsTest : public QObject {
   void whatIsChosenIsSettled();
   void planOffersTheUnits();
   void flatStructuresAreTold();
+  void oddWholesAreDoubted_data();
+  void oddWholesAreDoubted();
 };
+
+/// Where no name tells a size, what is as large as nothing of a body is no fact.
+void ImportUnitsTest::oddWholesAreDoubted_data() {
+  QTest::addColumn<QStringList>("names");
+  QTest::addColumn<float>("size");
+  QTest::addColumn<bool>("doubted");
+  QTest::newRow("0.1") << QStringList{"bunny.stl"} << 0.1f << true;
+  QTest::newRow("1.7") << QStringList{"spot.obj"} << 1.7f << true;
+  QTest::newRow("17") << QStringList{"spot.obj"} << 17.0f << false;
+  QTest::newRow("17,000") << QStringList{"spot.stl", "other.ply"} << 17000.0f << true;
+  QTest::newRow("metres") << QStringList{"spot.gltf"} << 0.0017f << false;
+  QTest::newRow("a name says so") << QStringList{"stapes.obj"} << 3.0f << false;
+}
+
+void ImportUnitsTest::oddWholesAreDoubted() {
+  QFETCH(QStringList, names);
+  QFETCH(float, size);
+  QFETCH(bool, doubted);
+  const QTemporaryDir folder;
+  for (const QString& name : names)
+    write(folder, name, size);
+  const auto imported = importInputs(std::array{pathOf(folder)}, {});
+  QVERIFY(imported.ok());
+  QCOMPARE(hasDoubtedUnits(imported->scene), doubted);
+  QCOMPARE(drawnUnit(imported->scene) == DrawnUnit::doubtedMillimetre, doubted);
+  QVERIFY(!hasDoubtedUnits(withUnitsSettled(imported->scene).scene));
+}
 
 void ImportUnitsTest::namesTellSizes_data() {
   QTest::addColumn<QString>("file");
@@ -91,8 +120,7 @@ void ImportUnitsTest::namesTellSizes_data() {
   row("a vertebra", "vertebrae_L3.stl", 70.0f, 70.0f, false, "");
   row("a vertebra in m", "vertebrae_L3.stl", 0.07f, 0.07f, true, "1000");
   row("a kidney stone", "kidney stone.stl", 4.0f, 4.0f, false, "");
-  row("no anatomy", "bunny.stl", 0.1f, 0.1f, false, "");
-  row("a model", "housing.stl", 0.01f, 0.01f, false, "");
+  row("a model as large as a body", "housing.stl", 300.0f, 300.0f, false, "");
 }
 
 void ImportUnitsTest::namesTellSizes() {

@@ -71,6 +71,22 @@ class QuizTest : public QObject {
     QVERIFY(questionsOf(a.scene, "")[0] == (Question{"ureter", {a.balls[1]}, {annotations[1].id}}));
   }
 
+  /// Nobody is asked for what may be on the other side than its name says.
+  void doubtedNames() {
+    Asked a(2);
+    a.name(0, "left kidney");
+    a.name(1, "right kidney");
+    std::vector<Node> nodes = a.scene.nodes();
+    nodes[0].provenance.nameEvidence = Evidence::conflict;
+    a.scene.setNodes(nodes);
+    const std::vector<Question> asked = questionsOf(a.scene, "");
+    QCOMPARE(asked.size(), std::size_t(1));
+    QCOMPARE(asked[0].words, std::string("right kidney"));
+    nodes[0].provenance.nameEvidence = Evidence::settled;
+    a.scene.setNodes(nodes);
+    QCOMPARE(questionsOf(a.scene, "").size(), std::size_t(2));
+  }
+
   void choices_data() {
     QTest::addColumn<QuestionChoice>("choice");
     QTest::addColumn<QStringList>("words");

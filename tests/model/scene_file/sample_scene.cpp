@@ -41,6 +41,7 @@ Provenance sampleProvenance() {
                .frame = "LPS",
                .frameReason = "said so",
                .evidence = {Evidence::conflict, Evidence::voted},
+               .nameEvidence = Evidence::conflict,
                .smoothingSteps = 3,
                .refinementSteps = 2,
                .repairedFaces = 1,

@@ -107,7 +107,8 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
            QString("id name normal offset_mm scope enabled faces hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
            QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "
-                   "refinement_steps repaired_faces displacement_mm sides front unit_evidence "
+                   "refinement_steps repaired_faces displacement_mm sides front name_evidence "
+                   "unit_evidence "
                    "slice_mm decimated_from decimation_mm part fingerprint transform credit "
                    "as_read"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));

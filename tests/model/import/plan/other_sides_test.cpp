@@ -6,7 +6,10 @@
 #include <array>
 #include <map>
 
+#include "model/edit/sides.h"
+#include "model/edit/tree.h"
 #include "model/import/naming/laterality.h"
+#include "model/import/naming/other_sides.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/read_inputs.h"
 #include "model/scene/known_frame.h"
@@ -41,6 +44,16 @@ const std::map<QString, glm::vec3>& body() {
 }
 
 constexpr float radius = 12.0f;
+
+/// Returns the names that stand in quotation marks, sorted.
+QStringList namesIn(const QString& told) {
+  QStringList names;
+  const QStringList parts = told.split('"');
+  for (qsizetype i = 1; i < parts.size(); i += 2)
+    names << parts[i];
+  names.sort();
+  return names;
+}
 
 }  // namespace
 
@@ -108,6 +121,34 @@ void OtherSidesTest::theOtherSideIsTold() {
     QVERIFY(writeSceneFile(root / "body.sline", {.scene = imported->scene}).ok());
     const auto opened = importInputs(std::array{root / "body.sline"}, {});
     QVERIFY(opened.ok() && says(opened->report));
+    const auto doubted = [](const Scene& scene) {
+      QStringList names;
+      for (const Node& node : scene.nodes())
+        if (isNameDoubted(node))
+          names << QString::fromStdString(node.name);
+      names.sort();
+      return names;
+    };
+    const QStringList names = namesIn(told);
+    QCOMPARE(doubted(imported->scene), names);
+    QCOMPARE(doubted(opened->scene), names);
+    // What a person has said is asked no more, here or when the scene is opened again. Sides that
+    // are in doubt come first.
+    const Scene sided = hasDoubtedSides(imported->scene)
+                            ? withSidesSettled(imported->scene, SideAnswer::right).scene
+                            : imported->scene;
+    QCOMPARE(doubted(sided), names);
+    const Edited settled = withSidesSettled(sided, SideAnswer::right);
+    QCOMPARE(settled.changed, !names.isEmpty());
+    QCOMPARE(hasDoubtedNames(settled.scene), false);
+    QVERIFY(otherSidesText(settled.scene).empty());
+    QVERIFY(writeSceneFile(root / "body.sline", {.scene = settled.scene}).ok());
+    const auto again = importInputs(std::array{root / "body.sline"}, {});
+    QVERIFY(again.ok() && doubted(again->scene).isEmpty());
+    for (const QString& name : names) {
+      const NodeId id = imported->scene.named(name.toStdString()).front();
+      QVERIFY(!isNameDoubted(*renamed(imported->scene, id, "thing").scene.find(id)));
+    }
   }
 }
 

@@ -10,8 +10,10 @@
 #include <map>
 
 #include "model/demo/demo.h"
+#include "model/scene/shortest_distance.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/description/alt_text.h"
+#include "render/export/plate/legend.h"
 #include "render/labels/screen.h"
 #include "tests/render/export/description/id_buffer.h"
 #include "tests/support/shapes.h"
@@ -433,6 +435,30 @@ class AltTextTest : public QObject {
     QVERIFY(text.size() < 1000);
     for (const QChar letter : text)
       QVERIFY(letter.isPrint());
+  }
+
+  /// A distance says what it leads from and to, and its length; so does a key.
+  void distancesAreTold() {
+    ExportOrder order = ballsOrder();
+    const auto& nodes = order.scene.nodes();
+    model::Annotation distance{.kind = model::AnnotationKind::distance};
+    distance.anchors = {model::SurfacePoint{.structure = nodes[0].id},
+                        model::SurfacePoint{.structure = nodes[1].id}};
+    const model::AnnotationId id = order.scene.appendAnnotation(distance);
+    const std::string ends = distanceEnds(order.scene, order.scene.annotations().back(), "");
+    QCOMPARE(ends, nodes[0].name + " – " + nodes[1].name);
+    const auto length = drawnLength(order.scene, order.scene.annotations().back());
+    QVERIFY(length);
+    const QString text = QString::fromStdString(altTextOf(order).text);
+    QVERIFY2(text.contains(QString::fromStdString(ends + ": ")) && text.contains(" mm."),
+             qPrintable(text));
+    ShownLabel label{.item = {.id = id, .kind = model::AnnotationKind::distance}, .length = length};
+    QVERIFY(keyLine(order.scene, label, {}).starts_with(ends + ": "));
+    label.text = "margin";
+    QVERIFY(keyLine(order.scene, label, {}).starts_with("margin "));
+    // Where names would give answers away, none is said.
+    order.labels.mode = LabelMode::numbers;
+    QVERIFY(altTextOf(order).text.find(ends) == std::string::npos);
   }
 
   void saysThatThereIsNothing() {

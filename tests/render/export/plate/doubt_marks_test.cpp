@@ -5,6 +5,9 @@
 #include <memory>
 
 #include "model/scene/known_frame.h"
+#include "model/scene/label_words.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/export/plate/legend.h"
 #include "render/export/plate/marks.h"
 #include "render/lettering/lettering.h"
 #include "render/lettering/typesetting.h"
@@ -76,6 +79,54 @@ class DoubtMarksTest : public QObject {
     QCOMPARE(letters.join(' '), told[0]);
     QCOMPARE(title, told[1]);
     QVERIFY2(section.endsWith(told[2]), qPrintable(section));
+  }
+
+  /// A name that may be of the other side is no fact in labels and legends.
+  void doubtedNamesAreMarked_data() {
+    QTest::addColumn<int>("evidence");
+    QTest::addColumn<QString>("mark");
+    QTest::newRow("known") << int(model::Evidence::known) << "";
+    QTest::newRow("conflict") << int(model::Evidence::conflict) << " (?)";
+    QTest::newRow("settled") << int(model::Evidence::settled) << "";
+  }
+  void doubtedNamesAreMarked() {
+    QFETCH(int, evidence);
+    QFETCH(QString, mark);
+    ExportOrder order;
+    model::Node node;
+    node.name = "left kidney";
+    node.mesh = sphere(50.0f, 3);
+    node.style.colour = Colour{200, 100, 90};
+    node.provenance.frame = "LPS";
+    node.provenance.nameEvidence = model::Evidence(evidence);
+    const model::NodeId id = order.scene.append(std::move(node));
+    for (const auto kind : {model::AnnotationKind::label, model::AnnotationKind::pin,
+                            model::AnnotationKind::callout}) {
+      model::Annotation label{.kind = kind, .text = "left kidney", .texts = {{"de", "Niere"}}};
+      label.anchors = {model::SurfacePoint{.structure = id}};
+      label.found = true;
+      order.scene.appendAnnotation(label);
+    }
+    order.labels.mode = LabelMode::on;
+    order.legend = LegendList::all;
+    order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
+                                           order.scene.visibleBounds(), 160.0f / 90.0f);
+    model::MeshTrees trees;
+    const FigurePlate plate = figurePlate(order, trees);
+    QCOMPARE(plate.labels->labels.size(), std::size_t(3));
+    for (const ShownLabel& label : plate.labels->labels)
+      QCOMPARE(QString::fromStdString(label.text), label.item.kind == model::AnnotationKind::callout
+                                                       ? "left kidney"
+                                                       : "left kidney" + mark);
+    QStringList said;
+    for (const LetteringItem& item : plate.marks.lettering.items)
+      if (item.text)
+        said << plainText(item.text->lines.front());
+    QVERIFY2(said.contains("left kidney" + mark), qPrintable(said.join('|')));
+    order.labels.language = "de+la";
+    QVERIFY(structureName(*order.scene.find(id), "de").ends_with(mark.toStdString()));
+    QCOMPARE(model::writtenIn(order.scene, order.scene.annotations()[0], "de+la"),
+             "Niere" + mark.toStdString());
   }
 
  private:

@@ -70,6 +70,24 @@ class PageQuizTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// What may be on the other side than its name says is listed with a mark, and never asked for.
+  void doubtedNames() {
+    for (const bool labels : {true, false}) {
+      render::ExportOrder order =
+          named({"left kidney", "spleen", "stomach", "pancreas", "duodenum"}, labels);
+      std::vector<model::Node> nodes = order.scene.nodes();
+      nodes[0].provenance.nameEvidence = model::Evidence::conflict;
+      order.scene.setNodes(nodes);
+      const json facts = factsOf(pageOf(order, {.title = "Lesson"}).html);
+      QVERIFY(!facts["quiz"]["questions"].empty());
+      for (const json& question : facts["quiz"]["questions"])
+        for (const json& structure : question["structures"])
+          QVERIFY(structure != json(nodes[0].id.value));
+      for (const json& node : facts["nodes"])
+        QCOMPARE(node["names"]["en"].get<std::string>().ends_with("(?)"),
+                 node["id"] == json(nodes[0].id.value));
+    }
+  }
   void kinds() {
     const std::vector<std::string> names{"liver", "spleen", "stomach", "pancreas", "duodenum"};
     const render::ExportOrder order = named(names);

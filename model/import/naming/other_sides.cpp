@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/plan/other_sides.h"
+#include "model/import/naming/other_sides.h"
+
+#include <algorithm>
+#include <utility>
 
 #include "model/scene/known_frame.h"
 
@@ -25,17 +28,34 @@ std::vector<NodeId> onOtherSide(const Scene& scene) {
   return found;
 }
 
+std::vector<NodeId> withNameInDoubt(const Scene& scene) {
+  std::vector<NodeId> doubted = onOtherSide(scene);
+  std::erase_if(doubted, [&scene](NodeId id) {
+    const Provenance& from = scene.find(id)->provenance;
+    return from.evidence.sides == Evidence::conflict || from.nameEvidence == Evidence::settled;
+  });
+  return doubted;
+}
+
+void markNamesInDoubt(Scene& imported, const Scene& whole) {
+  const std::vector<NodeId> doubted = withNameInDoubt(whole);
+  if (doubted.empty())
+    return;
+  std::vector<Node> nodes = imported.nodes();
+  const std::size_t before = whole.nodes().size() - nodes.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (std::find(doubted.begin(), doubted.end(), whole.nodes()[before + i].id) != doubted.end())
+      nodes[i].provenance.nameEvidence = Evidence::conflict;
+  imported.setNodes(std::move(nodes));
+}
+
 std::string otherSidesText(const Scene& scene) {
   constexpr std::size_t shown = 4;
   std::string names;
   std::size_t count = 0;
-  for (const NodeId id : onOtherSide(scene)) {
-    const Node& node = *scene.find(id);
-    if (node.provenance.evidence.sides == Evidence::conflict)
-      continue;
+  for (const NodeId id : withNameInDoubt(scene))
     if (++count <= shown)
-      names += (names.empty() ? "\"" : ", \"") + node.name + '"';
-  }
+      names += (names.empty() ? "\"" : ", \"") + scene.find(id)->name + '"';
   if (count == 0)
     return {};
   if (count > shown)

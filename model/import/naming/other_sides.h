@@ -21,8 +21,15 @@ SidedPlaces sidedPlaces(const Scene& scene);
 /// of a pair both, as one cannot tell which of them it is.
 std::vector<NodeId> onOtherSide(const Scene& scene);
 
-/// Says so in a sentence; empty where there are none. What contradicts its file's frame as a whole
-/// is left out, as its import tells that.
+/// Returns those of them whose names are in doubt for it: not where all of a file contradicts its
+/// frame, which its import tells, nor where somebody has said that the name is right.
+std::vector<NodeId> withNameInDoubt(const Scene& scene);
+
+/// Says of those in a sentence where they lie; empty where there are none.
 std::string otherSidesText(const Scene& scene);
+
+/// Marks the names that are in doubt in what is imported, which stands last in the scene that it
+/// comes into.
+void markNamesInDoubt(Scene& imported, const Scene& whole);
 
 }  // namespace sline::model
