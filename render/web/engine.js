@@ -47,10 +47,8 @@ class WebEngine {
     this.pen = null;
     /** The last picture of a moving camera, when it began and how long the program took. @type {{sync: WebGLSync, began: number, own: number} | undefined} */
     this.drawn = undefined;
-    /** The fills of a drawing without WebGL. @type {HTMLCanvasElement | null} */
-    this.fills = null;
     module._slineOpen();
-    if (!this.openWebgl()) this.openPen();
+    if (!this.openWebgl()) this.openPlain();
   }
 
   /** Opens the picture that WebGL 2 draws; returns false where there is none. */
@@ -67,8 +65,8 @@ class WebEngine {
     return Boolean(context && this.module.GL.makeContextCurrent(context) && this.module._slineOpenPicture());
   }
 
-  /** Opens a canvas on which the same strokes are drawn one by one. */
-  openPen() {
+  /** Opens a canvas that gets the pixels of the picture that the program draws by itself. */
+  openPlain() {
     this.pen = this.canvas.getContext("2d");
     if (!this.pen) {
       // A canvas that has tried WebGL gives nothing else.
@@ -79,7 +77,7 @@ class WebEngine {
     }
     if (!this.pen) throw new Error("This browser has neither WebGL 2 nor a canvas");
     this.means = "canvas";
-    this.fills = document.createElement("canvas");
+    this.module._slineOpenPlain();
   }
 
   /** @param {number | boolean} fine throws what went wrong */
@@ -286,7 +284,7 @@ class WebEngine {
   /** @param {boolean} moving */
   draw(moving) {
     const began = performance.now();
-    const complete = this.pen ? this.drawStrokes(this.pen, moving) : this.drawPicture(moving);
+    const complete = this.pen ? this.drawPlain(this.pen, moving) : this.drawPicture(moving);
     const labels = this.drawLabels(moving);
     return { labels, milliseconds: performance.now() - began, complete };
   }
@@ -325,56 +323,17 @@ class WebEngine {
     this.module._slineTook(done ? own : performance.now() - began);
   }
 
-  /** Draws stroke by stroke. @param {CanvasRenderingContext2D} pen @param {boolean} moving */
-  drawStrokes(pen, moving) {
-    this.setCanvas(this.ratio);
-    const at = this.module._slineDrawCanvas(moving) / 4;
-    const [width, height, pixels, first, count] = new Uint32Array(this.module.HEAPU8.buffer).subarray(at, at + 5);
-    const fills = /** @type {HTMLCanvasElement} */ (this.fills);
-    fills.width = width;
-    fills.height = height;
-    const image = new ImageData(
-      new Uint8ClampedArray(this.module.HEAPU8.slice(pixels, pixels + 4 * width * height)),
-      width,
-      height,
-    );
-    fills.getContext("2d")?.putImageData(image, 0, 0);
-    pen.setTransform(1, 0, 0, 1, 0, 0);
-    pen.globalAlpha = 1;
-    pen.imageSmoothingEnabled = true;
-    pen.drawImage(fills, 0, 0, this.canvas.width, this.canvas.height);
-    pen.setTransform(this.canvas.width / width, 0, 0, this.canvas.height / height, 0, 0);
-    pen.lineCap = "round";
-    pen.lineJoin = "round";
-    this.strokeAll(pen, this.module.HEAPF32, first / 4, count);
-    return !moving;
-  }
-
-  /**
-   * Strokes lines; neighbours of one pen are stroked together.
-   * @param {CanvasRenderingContext2D} pen @param {Float32Array} numbers @param {number} at @param {number} count
-   */
-  strokeAll(pen, numbers, at, count) {
-    let last = "";
-    for (let i = 0; i < count; ++i) {
-      const [red, green, blue, opacity, width, points] = numbers.subarray(at, at + 6);
-      const widthNow = Math.round(width * 8) / 8;
-      const opacityNow = Math.round(opacity * 32) / 32;
-      const look = `${red},${green},${blue},${opacityNow},${widthNow}`;
-      if (look !== last) {
-        if (last) pen.stroke();
-        pen.beginPath();
-        pen.strokeStyle = `rgb(${red},${green},${blue})`;
-        pen.globalAlpha = opacityNow;
-        pen.lineWidth = widthNow;
-        last = look;
-      }
-      at += 6;
-      pen.moveTo(numbers[at], numbers[at + 1]);
-      for (let k = 1; k < points; ++k) pen.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
-      at += 2 * points;
-    }
-    if (last) pen.stroke();
+  /** Draws without WebGL. @param {CanvasRenderingContext2D} pen @param {boolean} moving */
+  drawPlain(pen, moving) {
+    this.setCanvas(this.ratio * this.module._slineScale(moving));
+    const began = performance.now();
+    const state = this.module._slineDraw(moving);
+    this.check(state >= 0);
+    const { width, height } = this.canvas;
+    const pixels = new Uint8ClampedArray(this.module.HEAPU8.buffer, this.module._slinePixels(), 4 * width * height);
+    pen.putImageData(new ImageData(pixels, width, height), 0, 0);
+    if (moving) this.module._slineTook(performance.now() - began);
+    return state === 1;
   }
 
   /** @param {boolean} moving @returns {Placed[]} */

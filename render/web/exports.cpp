@@ -72,6 +72,10 @@ EMSCRIPTEN_KEEPALIVE bool slineOpenPicture() {
   return succeeded(engine->openPicture());
 }
 
+EMSCRIPTEN_KEEPALIVE void slineOpenPlain() {
+  engine->openPlainPicture();
+}
+
 EMSCRIPTEN_KEEPALIVE void slineSize(int width, int height, float ratio) {
   engine->setSize({width, height, ratio});
 }
@@ -196,30 +200,9 @@ EMSCRIPTEN_KEEPALIVE void slineTook(double milliseconds) {
   engine->took(milliseconds);
 }
 
-/// Draws for a canvas without OpenGL. Returns the places of five numbers: the width and height of
-/// the fills, where their pixels are (RGBA), where the strokes are and how many there are. Each
-/// stroke is: red, green, blue (0 … 255), opacity, width, the count of points, and these, in pixels
-/// of the fills.
-EMSCRIPTEN_KEEPALIVE const std::uint32_t* slineDrawCanvas(bool moving) {
-  static std::array<std::uint32_t, 5> places{};
-  const CanvasDrawing& drawing = engine->drawCanvas(moving);
-  numbers.clear();
-  for (const CanvasStroke& stroke : drawing.strokes) {
-    for (const std::uint8_t channel : {stroke.colour.red, stroke.colour.green, stroke.colour.blue})
-      numbers.push_back(float(channel));
-    numbers.push_back(stroke.opacity);
-    numbers.push_back(stroke.width);
-    numbers.push_back(float(stroke.points.size()));
-    for (const glm::vec2& point : stroke.points) {
-      numbers.push_back(point.x);
-      numbers.push_back(point.y);
-    }
-  }
-  places = {std::uint32_t(drawing.width), std::uint32_t(drawing.height),
-            std::uint32_t(reinterpret_cast<std::uintptr_t>(drawing.rgba.data())),
-            std::uint32_t(reinterpret_cast<std::uintptr_t>(numbers.data())),
-            std::uint32_t(drawing.strokes.size())};
-  return places.data();
+/// Returns where the plain picture's pixels are: `PageEngine::pixels`.
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* slinePixels() {
+  return engine->pixels().data();
 }
 
 /// Returns the count of numbers, then three for each end of `PageEngine::segments`.

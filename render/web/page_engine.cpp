@@ -56,6 +56,15 @@ std::optional<model::AnnotationId> strayLabel(const LabelRequest& request,
   return std::nullopt;
 }
 
+/// Turns rows from the bottom to rows from the top.
+void turnOver(std::vector<std::uint32_t>& pixels, std::size_t row) {
+  const std::size_t rows = pixels.size() / row;
+  for (std::size_t y = 0; 2 * y + 1 < rows; ++y)
+    std::swap_ranges(pixels.begin() + std::ptrdiff_t(y * row),
+                     pixels.begin() + std::ptrdiff_t((y + 1) * row),
+                     pixels.begin() + std::ptrdiff_t((rows - 1 - y) * row));
+}
+
 }  // namespace
 
 Status PageEngine::take(std::string_view part) {
@@ -239,13 +248,27 @@ Status PageEngine::openPicture() {
   if (!made.ok())
     return made.error();
   m_picture = std::move(*made);
+  m_plain = false;
   return Unit{};
+}
+
+void PageEngine::openPlainPicture() {
+  m_picture = Picture::withoutDriver({}, {});
+  m_plain = true;
+}
+
+PictureTarget PageEngine::target(const gpu::TextureSize& size) {
+  if (m_plain) {
+    m_pixels.resize(std::size_t(size.width) * std::size_t(size.height));
+    return {size.width, size.height, m_pixels};
+  }
+  if (!m_canvas || m_canvas->size() != size)
+    m_canvas = gpu::Target::display(size);
+  return *m_canvas;
 }
 
 Result<bool> PageEngine::draw(bool moving) {
   const gpu::TextureSize size{m_size.width, m_size.height};
-  if (!m_canvas || m_canvas->size() != size)
-    m_canvas = gpu::Target::display(size);
   PictureSettings settings{.width = size.width, .height = size.height};
   const Fineness fineness = moving ? m_quality.fineness() : Fineness{};
   settings.surfaceStep = fineness.surfaceStep;
@@ -253,10 +276,12 @@ Result<bool> PageEngine::draw(bool moving) {
   std::vector<Outline> outlines;
   if (!m_selected.empty())
     outlines.push_back(selectionOutline(m_selected, m_size.ratio));
-  const Result<bool> drawn =
-      m_picture->drawInto({.target = *m_canvas, .outlines = outlines}, m_shown, m_camera, settings);
+  const Result<bool> drawn = m_picture->drawInto({.target = target(size), .outlines = outlines},
+                                                 m_shown, m_camera, settings);
   if (!drawn.ok())
     return drawn.error();
+  if (m_plain)
+    turnOver(m_pixels, std::size_t(size.width));
   m_judged =
       moving && m_picture->timings().layersDrawn > 0 ? std::optional(fineness) : std::nullopt;
   return !m_picture->timings().makeshift && fineness.full();
@@ -265,16 +290,6 @@ Result<bool> PageEngine::draw(bool moving) {
 void PageEngine::took(double milliseconds) {
   if (const std::optional<Fineness> fineness = std::exchange(m_judged, std::nullopt))
     m_quality.took(milliseconds, *fineness);
-}
-
-const CanvasDrawing& PageEngine::drawCanvas(bool moving) {
-  // As many rows as depth needs to tell what hides what; lines are drawn at any size.
-  constexpr int restRows = 900;
-  constexpr int movingRows = 360;
-  const int rows = std::min(m_size.height, moving ? movingRows : restRows);
-  const int columns = std::max(1, int(std::lround(float(rows) * aspect())));
-  m_drawing = m_drawer.draw(m_shown, m_camera, {.width = columns, .height = rows});
-  return m_drawing;
 }
 
 std::vector<glm::vec3> PageEngine::segments() {

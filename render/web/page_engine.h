@@ -3,6 +3,7 @@
 // and picture as everywhere. It knows no texts and no language; the page has those.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,7 +19,6 @@
 #include "render/picking/pick_index.h"
 #include "render/picture/motion_quality.h"
 #include "render/picture/picture.h"
-#include "render/vectors/canvas_drawing.h"
 #include "render/vectors/structure_work.h"
 
 namespace sline::render::web {
@@ -73,20 +73,21 @@ class PageEngine {
   const LabelLayout& labels() const { return m_layout; }
   const std::vector<LabelItem>& labelItems() const { return m_items; }
 
-  /// Makes the picture that needs a current OpenGL ES 3.0 context; where there is none, all but
-  /// `draw` works.
+  /// Makes the picture that needs a current OpenGL ES 3.0 context; without a picture all but `draw`
+  /// works.
   Status openPicture();
+  /// Makes the picture that the processor draws, as a workstation without a card does.
+  void openPlainPicture();
   /// The share of the canvas' pixels each way that `draw` should have while the camera moves.
   float scale(bool moving) const { return moving ? m_quality.fineness().scale : 1.0f; }
-  /// Draws into the context's own framebuffer. While the camera moves, surfaces are as coarse as
-  /// they must be. Returns whether nothing is missing that one drawn at rest has.
+  /// Draws into the context's own framebuffer, or into `pixels`. While the camera moves, surfaces
+  /// are as coarse as they must be. Returns whether nothing is missing that one drawn at rest has.
   Result<bool> draw(bool moving);
+  /// The pixels of the plain picture, RGBA of 8 bits each, red in the lowest, in rows from the top.
+  std::span<const std::uint32_t> pixels() const { return m_pixels; }
   /// Tells how long the picture took that was drawn last, until all of it was there: a browser's
   /// OpenGL draws while the program goes on.
   void took(double milliseconds);
-  /// Draws without OpenGL: fills as pixels and strokes (canvas_drawing.h), coarser while the camera
-  /// moves, so that `scale` of the pixels are enough.
-  const CanvasDrawing& drawCanvas(bool moving);
   /// Returns the segments of all lines that the scene's styles ask for, in the patient's frame,
   /// before anything hides them: two ends each. They are the same as the workstation's.
   std::vector<glm::vec3> segments();
@@ -111,6 +112,7 @@ class PageEngine {
     std::variant<float, bool> to;  ///< Γ, or whether they are shown
   };
 
+  PictureTarget target(const gpu::TextureSize& size);
   float aspect() const { return float(m_size.width) / float(m_size.height); }
   glm::vec2 pageSize() const;
   /// Returns the room that cameras leave for labels.
@@ -138,10 +140,10 @@ class PageEngine {
   PageSize m_size;
 
   KeptSurfaces m_surfaces;
-  CanvasDrawer m_drawer;
-  CanvasDrawing m_drawing;
   std::unique_ptr<Picture> m_picture;
-  std::unique_ptr<gpu::Target> m_canvas;
+  bool m_plain = false;                   ///< the processor draws it
+  std::unique_ptr<gpu::Target> m_canvas;  ///< else
+  std::vector<std::uint32_t> m_pixels;
   MotionQuality m_quality;
   std::optional<Fineness> m_judged;  ///< that of the last picture of a moving camera
 
