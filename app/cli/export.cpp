@@ -202,7 +202,7 @@ void tellOfSheet(const render::ExportOrder& job,
   for (const auto& [kind, target] : targets)
     if (const render::ExportFormat* format = render::exportFormat(kind);
         !format->has(render::sheetOption) && format->page != render::PageUse::none &&
-        !areSlides(*format) && !(areFilms(*format) && render::filmPageMm(job) != job.page.sizeMm))
+        !areSlides(*format) && !areFilms(*format))
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }

@@ -25,13 +25,6 @@ namespace sline::widgets {
 
 namespace {
 
-/// Returns a page of the same shape for a film's picture, so small that letters can be read on a
-/// screen, whatever paper was chosen for other kinds: 10 points are 1/30 of its height.
-glm::vec2 filmPage(const glm::vec2& sizeMm) {
-  constexpr float shorterSide = 106.0f;
-  return sizeMm * (shorterSide / std::min(sizeMm.x, sizeMm.y));
-}
-
 /// Returns what the saved view says that shows just what is seen; nothing where none does.
 model::ViewWords wordsOfSeen(const ExportSource& source) {
   for (const model::View& view : source.scene.views())
@@ -58,7 +51,7 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   }
   order.labels.ground = order.environment.background;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
-    order.page.sizeMm = filmPage(render::filmPageMm(order));
+    order.page.sizeMm = render::filmPageMm(order);
   if (pageUseOf(draft.kind) == render::PageUse::slides)
     order = render::slideFigure(order, render::shownView(order));
   if (hasViews(draft.kind) && holdsViews(draft.kind))

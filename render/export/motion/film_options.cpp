@@ -174,10 +174,10 @@ glm::ivec2 filmSize(const ExportOrder& order) {
 }
 
 glm::vec2 filmPageMm(const ExportOrder& order) {
-  if (order.of<FilmOptions>().format == FilmFormat::page)
-    return order.page.sizeMm;
-  const glm::vec2 size(filmSize(order));
-  return {order.page.sizeMm.y * size.x / size.y, order.page.sizeMm.y};
+  constexpr float shorterSide = 106.0f;
+  const bool ofPage = order.of<FilmOptions>().format == FilmFormat::page;
+  const glm::vec2 shape = ofPage ? order.page.sizeMm : glm::vec2(filmSize(order));
+  return shape * (shorterSide / std::min(shape.x, shape.y));
 }
 
 }  // namespace sline::render

@@ -44,8 +44,9 @@ extern const ExportOption filmHeightOption;
 
 /// Returns the film's size in pixels; both sides are even, as films require.
 glm::ivec2 filmSize(const ExportOrder& order);
-/// Returns the size of the order's page as a film has it: of the film's shape, and as high as it
-/// was, so that lines and letters stay as large.
+/// Returns the size of the order's page as a film has it: of the film's shape, or the page's where
+/// it has that, and so small that letters can be read on a screen, whatever paper other kinds have:
+/// 10 points are 1/30 of the shorter side.
 glm::vec2 filmPageMm(const ExportOrder& order);
 
 }  // namespace sline::render
