@@ -92,6 +92,8 @@ class ViewportRefinementTest : public QObject {
     const QImage plain = f.picture();
     QTRY_VERIFY_WITH_TIMEOUT(watch->begun > 0, longWait);
     QCOMPARE(f.picture(), plain);
+    // What was painted last may still be waiting to be told.
+    QCoreApplication::processEvents();
     const QSignalSpy shown(&f.viewport(), &widgets::Viewport::pictureShown);
     const int before = watch->done;
     watch->waits = false;

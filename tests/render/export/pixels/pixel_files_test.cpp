@@ -201,6 +201,8 @@ void PixelFilesTest::readBackByOthers() {
             image.colorSpace().primaries() == QColorSpace::Primaries::SRgb);
 }
 
+/// Kinds of 8 bits show the same pixels, and so do those of more. Those are drawn by another
+/// painter, which may decide otherwise where a surface ends between two samples.
 void PixelFilesTest::kindsAgree() {
   render::ExportOrder order = orderedPicture();
   order.of<render::PixelOptions>().samples = 2;
@@ -217,16 +219,23 @@ void PixelFilesTest::kindsAgree() {
   QCOMPARE(png.values, readBack(written("a.webp", order)).values);
   QCOMPARE(jpeg.values.size(), png.values.size());
   double apart = 0.0;
+  double fromDeep = 0.0;
+  std::size_t beyond = 0;
   for (std::size_t i = 0; i < png.values.size(); ++i) {
-    QVERIFY(std::abs(png.values[i] - deep.values[i]) < 2.1f / 255.0f);
+    const float off = std::abs(png.values[i] - deep.values[i]);
+    fromDeep += double(off);
+    beyond += off >= 2.1f / 255.0f;
     const float light = exr.values[i];
     const float srgb =
         light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-    QVERIFY2(std::abs(png.values[i] - srgb) < 2.5f / 255.0f,
-             qPrintable(QString("%1 %2").arg(double(png.values[i])).arg(double(srgb))));
+    QVERIFY2(std::abs(deep.values[i] - srgb) < 1.0f / 255.0f,
+             qPrintable(QString("%1 %2").arg(double(deep.values[i])).arg(double(srgb))));
     apart += std::abs(double(png.values[i]) - double(jpeg.values[i]));
   }
-  QVERIFY(apart / double(png.values.size()) < 0.01);
+  const auto count = double(png.values.size());
+  QVERIFY(apart / count < 0.01);
+  QVERIFY2(double(beyond) < 0.001 * count, qPrintable(QString::number(beyond)));
+  QVERIFY2(fromDeep / count < 0.2 / 255.0, qPrintable(QString::number(255.0 * fromDeep / count)));
 }
 
 void PixelFilesTest::pngSaysWhatItIs() {
