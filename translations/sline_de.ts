@@ -1344,6 +1344,10 @@
         <translation>es gibt keinen Ordner %1</translation>
     </message>
     <message>
+        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
+        <translation>Namen dessen, was in einem Körper oben und unten liegt, sagen, dass eine andere Achse als z zum Kopf führt; drehen Sie die Dateien so, dass z es tut</translation>
+    </message>
+    <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
         <translation>Namen mit vorn und hinten widersprechen dem Koordinatensystem %1; sind die Dateien gespiegelt, wählen Sie %2</translation>
     </message>

@@ -1344,6 +1344,10 @@
         <translation>det finnes ingen mappe %1</translation>
     </message>
     <message>
+        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
+        <translation>navn på det som ligger høyt og lavt i en kropp, sier at en annen akse enn z fører til hodet; vri filene slik at z gjør det</translation>
+    </message>
+    <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
         <translation>navn med foran og bak motsier koordinatsystemet %1; velg %2 hvis filene er speilvendt</translation>
     </message>

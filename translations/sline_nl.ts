@@ -1344,6 +1344,10 @@
         <translation>er is geen map %1</translation>
     </message>
     <message>
+        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
+        <translation>namen van wat in een lichaam hoog en laag ligt, zeggen dat een andere as dan z naar het hoofd leidt; draai de bestanden zo dat z dat doet</translation>
+    </message>
+    <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
         <translation>namen met voor en achter spreken het assenstelsel %1 tegen; kies %2 als de bestanden gespiegeld zijn</translation>
     </message>
@@ -8974,7 +8978,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Nobody has said how long the unit of its files is, and not all has the size that it should have: lengths stand with a “?”</source>
-        <translation>Niemand heeft gezegd hoe lang de eenheid van de bestanden is, en niet alles heeft de grootte die het zou moeten hebben: lengtes staan met een „?”</translation>
+        <translation>Niemand heeft gezegd hoe lang de eenheid van de bestanden is, en niet alles heeft de grootte die het zou moeten hebben: lengtes staan met een “?”</translation>
     </message>
 </context>
 <context>

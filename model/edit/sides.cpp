@@ -14,7 +14,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr SideEvidence settledSides{Evidence::settled, Evidence::settled};
+constexpr SideEvidence settledSides{Evidence::settled, Evidence::settled, Evidence::settled};
 
 bool hasOwnSides(const Provenance& from) {
   return from.frame != fileFrame;

@@ -28,11 +28,12 @@ constexpr bool isSure(Evidence evidence) {
   return evidence < Evidence::assumed;
 }
 
-/// Holds how it is known which way leads to the left and which to the back.
+/// Holds how it is known which way leads to the left, which to the back and which to the head.
 struct SideEvidence {
   Evidence sides = Evidence::known;
   Evidence front = Evidence::known;
-  bool isSure() const { return model::isSure(sides) && model::isSure(front); }
+  Evidence up = Evidence::known;
+  bool isSure() const { return model::isSure(sides) && model::isSure(front) && model::isSure(up); }
   bool operator==(const SideEvidence&) const = default;
 };
 

@@ -20,6 +20,7 @@ void forEachVisible(const Scene& scene, const Body& body) {
 void add(SideEvidence& to, const SideEvidence& more) {
   to.sides = std::max(to.sides, more.sides);
   to.front = std::max(to.front, more.front);
+  to.up = std::max(to.up, more.up);
 }
 
 /// Takes a number from the beginning of a text.
@@ -87,10 +88,12 @@ bool isNameDoubted(const Node& node) {
   return !node.isGroup() && !isSure(node.provenance.nameEvidence);
 }
 
+std::string markedName(const Node& node) {
+  return isNameDoubted(node) ? node.name + std::string(doubtMark) : node.name;
+}
+
 bool namesInDoubt(const Scene& scene, const Annotation& annotation) {
-  const bool names =
-      annotation.kind == AnnotationKind::label || annotation.kind == AnnotationKind::pin;
-  const auto* point = !names || annotation.anchors.empty()
+  const auto* point = annotation.kind == AnnotationKind::distance || annotation.anchors.empty()
                           ? nullptr
                           : std::get_if<SurfacePoint>(&annotation.anchors.front());
   const Node* node = point ? scene.find(point->structure) : nullptr;
@@ -98,7 +101,8 @@ bool namesInDoubt(const Scene& scene, const Annotation& annotation) {
 }
 
 bool KnownSides::inDoubt(int axis) const {
-  return any && axis < 2 && !isSure(axis == 0 ? evidence.sides : evidence.front);
+  const Evidence along[] = {evidence.sides, evidence.front, evidence.up};
+  return any && !isSure(along[axis]);
 }
 
 KnownSides knownSides(const Scene& scene) {
@@ -106,7 +110,9 @@ KnownSides knownSides(const Scene& scene) {
   // This is asked for each picture: what adds no doubt need not be looked for.
   for (const Node& node : scene.nodes())
     if (const SideEvidence& own = node.provenance.evidence;
-        !node.isGroup() && (own.sides > known.evidence.sides || own.front > known.evidence.front) &&
+        !node.isGroup() &&
+        (own.sides > known.evidence.sides || own.front > known.evidence.front ||
+         own.up > known.evidence.up) &&
         scene.resolve(node.id).visible)
       add(known.evidence, own);
   for (const Scan& scan : scene.scans())

@@ -52,7 +52,10 @@ inline constexpr std::string_view doubtMark = " (?)";
 /// Tells whether the structure was found to lie on the other side than its name says, and nobody
 /// has said since that this is right.
 bool isNameDoubted(const Node& node);
-/// Tells whether the annotation names such a structure: as a label or a pin on it.
+/// Returns the node's name, marked where it is in doubt.
+std::string markedName(const Node& node);
+/// Tells whether the annotation says what such a structure is: as a label, a pin or a callout on
+/// it.
 bool namesInDoubt(const Scene& scene, const Annotation& annotation);
 
 /// Returns how sure the sides are of what is visible, and of the scans.

@@ -83,7 +83,8 @@ Ordered extentJson(const ReadExtent& extent) {
 
 SideEvidence evidenceFrom(JsonObject& object, SideEvidence unsaid) {
   for (const auto& [key, target] :
-       {std::pair("sides", &unsaid.sides), std::pair("front", &unsaid.front)})
+       {std::pair("sides", &unsaid.sides), std::pair("front", &unsaid.front),
+        std::pair("up", &unsaid.up)})
     if (const auto value = object.take(key))
       *target = evidenceOf(*value);
   return unsaid;
@@ -94,6 +95,8 @@ void putEvidence(Ordered& json, const SideEvidence& evidence, const SideEvidence
     json["sides"] = evidenceNames[std::size_t(evidence.sides)];
   if (evidence.front != unsaid.front)
     json["front"] = evidenceNames[std::size_t(evidence.front)];
+  if (evidence.up != unsaid.up)
+    json["up"] = evidenceNames[std::size_t(evidence.up)];
 }
 
 Provenance provenanceFrom(JsonObject& object) {

@@ -2,7 +2,6 @@
 #include "render/vectors/structure_work.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "model/base/parallel.h"
@@ -22,12 +21,6 @@ PreparedSurface& KeptSurfaces::of(const model::Node& node) {
   if (fresh)
     place->second.take(node.mesh, node.provenance);
   return place->second;
-}
-
-void KeptSurfaces::keepOnly(const model::Scene& scene) {
-  const std::set<model::MeshPtr> meshes = model::meshesOf(scene);
-  std::erase_if(m_surfaces, [&meshes](const auto& entry) { return !meshes.contains(entry.first); });
-  m_sections.forgetUnused();
 }
 
 std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces& surfaces) {

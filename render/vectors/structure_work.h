@@ -22,8 +22,6 @@ class KeptSurfaces {
   PreparedSurface& of(const model::Node& node);
   SectionCache<SectionedSurface>& sections() { return m_sections; }
   Hulls& hulls() { return m_hulls; }
-  /// Forgets what the scene does not have.
-  void keepOnly(const model::Scene& scene);
 
  private:
   std::map<model::MeshPtr, PreparedSurface> m_surfaces;

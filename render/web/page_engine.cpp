@@ -15,6 +15,7 @@
 #include "render/labels/anchors.h"
 #include "render/labels/obstacles.h"
 #include "render/lines/techniques/line_technique.h"
+#include "render/vectors/structure_work.h"
 
 namespace sline::render::web {
 
@@ -293,7 +294,8 @@ void PageEngine::took(double milliseconds) {
 }
 
 std::vector<glm::vec3> PageEngine::segments() {
-  std::vector<StructureWork> work = structureWork(m_shown, m_surfaces);
+  KeptSurfaces surfaces;
+  std::vector<StructureWork> work = structureWork(m_shown, surfaces);
   model::Box bounds;
   for (const StructureWork& one : work)
     bounds.add(one.shown.mesh->bounds());

@@ -19,7 +19,6 @@
 #include "render/picking/pick_index.h"
 #include "render/picture/motion_quality.h"
 #include "render/picture/picture.h"
-#include "render/vectors/structure_work.h"
 
 namespace sline::render::web {
 
@@ -139,7 +138,6 @@ class PageEngine {
   bool m_hasCamera = false;
   PageSize m_size;
 
-  KeptSurfaces m_surfaces;
   std::unique_ptr<Picture> m_picture;
   bool m_plain = false;                   ///< the processor draws it
   std::unique_ptr<gpu::Target> m_canvas;  ///< else

@@ -246,6 +246,9 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),
     QT_TRANSLATE_NOOP("Told", "vote: %1 of %2 left/right names"),
     QT_TRANSLATE_NOOP("Told", "weak vote: %1 of %2 left/right names"),
+    QT_TRANSLATE_NOOP("Told",
+                      "names of what lies high and low in a body say that another axis than z "
+                      "leads to the head; turn the files so that z does"),
     QT_TRANSLATE_NOOP("Told", "names of front and back alone"),
     QT_TRANSLATE_NOOP("Told", "laid over surfaces of the same names: %1 within 2 mm"),
     QT_TRANSLATE_NOOP("Told", "fits in with the other surfaces"),

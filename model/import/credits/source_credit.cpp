@@ -264,7 +264,7 @@ SourceCredit creditInReadme(std::string_view text) {
 }
 
 /// Tells whether the line is part of a sentence about some terms of use rather than their name: it
-/// goes on in the next line, or says nothing that is known.
+/// goes on in the next line, or from the one before, or says nothing that is known.
 bool isOfSentence(std::string_view line, std::string_view next) {
   const std::string lower = ' ' + lowerCase(line) + ' ';
   static constexpr std::array verbs{" is ", " are ", " may ", " shall ", " must ", " this "};
@@ -272,7 +272,8 @@ bool isOfSentence(std::string_view line, std::string_view next) {
     return lower.find(verb) != std::string::npos;
   });
   const bool goesOn = !line.ends_with('.') && !next.empty() && isLower(next.front());
-  return sentence && (goesOn || licenceRank(lower) < 2);
+  const bool begun = !line.empty() && isLower(line.front()) && licenceRank(lower) < 3;
+  return begun || (sentence && (goesOn || licenceRank(lower) < 2));
 }
 
 SourceCredit creditInLicence(std::string_view text) {

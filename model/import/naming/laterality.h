@@ -22,6 +22,7 @@ struct NamedPosition {
   float x = 0.0f;
   float y = 0.0f;
   float halfWidth = 0.0f;  ///< half of the box's size along x
+  float z = 0.0f;
 };
 
 struct FrameVote {

@@ -8,6 +8,7 @@
 
 #include "model/edit/sides.h"
 #include "model/import/naming/laterality.h"
+#include "model/import/naming/uprightness.h"
 #include "model/import/plan/frame_fit.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/scene/known_frame.h"
@@ -208,7 +209,7 @@ class FrameDecision {
         for (const glm::vec3& p : part.raw.positions)
           box.add(part.raw.yUp ? uprightToLps(p) : p);
         const glm::vec3 centre = box.centre();
-        places.push_back({part.name, centre.x, centre.y, 0.5f * box.size().x});
+        places.push_back({part.name, centre.x, centre.y, 0.5f * box.size().x, centre.z});
       }
     return places;
   }
@@ -224,7 +225,8 @@ class FrameDecision {
       const float unit = std::max(node->provenance.mmPerUnit, 1e-6f);
       const glm::vec3 centre = box.centre() / unit;
       places.push_back({node->name, axes.left ? centre.x : -centre.x,
-                        axes.posterior ? centre.y : -centre.y, 0.5f * box.size().x / unit});
+                        axes.posterior ? centre.y : -centre.y, 0.5f * box.size().x / unit,
+                        centre.z});
     }
     return places;
   }
@@ -275,6 +277,10 @@ class FrameDecision {
         axesOf(*vote.winner()).left != axesOf(decided.frame).left)
       decided.evidence.sides = Evidence::assumed;
     compareFront(decided, front, report);
+    if (!laid.frame && contradictsUpright(places)) {
+      decided.evidence = {Evidence::conflict, Evidence::conflict, Evidence::conflict};
+      report.warnings.push_back({"", std::string(notUpright)});
+    }
     if (fit.none && !decided.evidence.isSure())
       report.warnings.push_back(
           {"",

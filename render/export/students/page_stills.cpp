@@ -25,7 +25,7 @@ ExportOrder stillOrder(const ExportOrder& order, const model::View& view, const 
   std::vector<model::Annotation> labels = still.scene.annotations();
   for (model::Annotation& label : labels)
     if (label.kind == model::AnnotationKind::label || label.kind == model::AnnotationKind::pin)
-      label.texts[words.language()] = words.ofLabel(label).at(words.language());
+      label.texts[words.language()] = words.unmarked(label).at(words.language());
   still.scene.setAnnotations(std::move(labels));
   const float aspect = float(stillSize.x) / float(stillSize.y);
   still.page.sizeMm = {aspect * stillHeightMm, stillHeightMm};

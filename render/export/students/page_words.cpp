@@ -100,6 +100,14 @@ WordsByLanguage PageWords::ofName(const model::Node& node) const {
 }
 
 WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
+  WordsByLanguage words = unmarked(annotation);
+  if (namesInDoubt(m_scene, annotation))
+    for (auto& [tag, text] : words)
+      text += model::doubtMark;
+  return words;
+}
+
+WordsByLanguage PageWords::unmarked(const model::Annotation& annotation) const {
   WordsByLanguage words;
   for (const std::string& tag : m_languages) {
     if (annotation.kind == model::AnnotationKind::distance) {
@@ -115,8 +123,6 @@ WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
     words[tag] = annotation.texts.contains(tag) || annotation.kind == model::AnnotationKind::callout
                      ? text
                      : structureName(text, tag);
-    if (namesInDoubt(m_scene, annotation))
-      words[tag] += model::doubtMark;
   }
   return words;
 }
@@ -154,8 +160,9 @@ Json PageWords::linesOf(const model::Annotation& annotation) const {
   if (m_silent)
     return lines;
   if (annotation.kind == model::AnnotationKind::callout) {
+    const std::string_view mark = namesInDoubt(m_scene, annotation) ? model::doubtMark : "";
     for (const std::string& tag : m_languages)
-      lines[tag] = markedLines(model::textIn(annotation, tag));
+      lines[tag] = markedLines(model::textIn(annotation, tag) + std::string(mark));
     return lines;
   }
   for (const auto& [tag, text] : ofLabel(annotation))

@@ -35,6 +35,8 @@ class PageWords {
   /// Returns what a label says as plain text, in languages in which it has no text the name that it
   /// is there; the same in a silent page, for answers.
   WordsByLanguage ofLabel(const model::Annotation& annotation) const;
+  /// Returns them without the mark of a name that is in doubt, which pictures add by themselves.
+  WordsByLanguage unmarked(const model::Annotation& annotation) const;
   /// Returns what it says in lines of runs; nothing in a silent page.
   Json linesOf(const model::Annotation& annotation) const;
   /// Returns marked-up text in lines of runs, with links; nothing in a silent page.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/scene/known_frame.h"
 #include "render/export/encoding/png_image.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_path.h"
@@ -60,9 +61,9 @@ class DrawingLayers {
     appendShape(m_text, shape, {regions ? m_decimals - 1 : m_decimals, regions});
   }
 
-  std::string_view nameOf(model::NodeId id) const {
+  std::string nameOf(model::NodeId id) const {
     const model::Node* node = m_scene.find(id);
-    return node ? std::string_view(node->name) : std::string_view();
+    return node ? model::markedName(*node) : std::string();
   }
 
   void addFills() {

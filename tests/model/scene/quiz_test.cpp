@@ -79,7 +79,8 @@ class QuizTest : public QObject {
     std::vector<Node> nodes = a.scene.nodes();
     nodes[0].provenance.nameEvidence = Evidence::conflict;
     a.scene.setNodes(nodes);
-    const std::vector<Question> asked = questionsOf(a.scene, "");
+    a.name(0, "**left** kidney", AnnotationKind::callout);
+    const std::vector<Question> asked = questionsOf(a.scene, "", {.callouts = true});
     QCOMPARE(asked.size(), std::size_t(1));
     QCOMPARE(asked[0].words, std::string("right kidney"));
     nodes[0].provenance.nameEvidence = Evidence::settled;

@@ -73,6 +73,10 @@ class SourceCreditTest : public QObject {
         "to cover contributions.\n\nAtlas Contribution and Software License Agreement\n"
         "Version 1.0\n\nIf you distribute it, this license must be included.\n",
         "||Atlas Contribution and Software License Agreement");
+    add("a name, not a line within a sentence", CreditText::licence,
+        "Atlas Software License Agreement\n\nWhoever gives it on keeps\n"
+        "applicable attributions, copyright notices and licenses for any\nparts.\n",
+        "||Atlas Software License Agreement");
     add("a sentence with a known name", CreditText::licence,
         "This work is licensed under CC BY 4.0.\n", "||This work is licensed under CC BY 4.0.");
     add("nothing", CreditText::licence, "", "||");

@@ -10,6 +10,7 @@
 #include "model/edit/tree.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/other_sides.h"
+#include "model/import/naming/uprightness.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/read_inputs.h"
 #include "model/scene/known_frame.h"
@@ -63,7 +64,46 @@ class OtherSidesTest : public QObject {
   void theOtherSideIsTold_data();
   void theOtherSideIsTold();
   void aScanChangesNothing();
+  void anotherAxisUpIsDoubted_data();
+  void anotherAxisUpIsDoubted();
 };
+
+/// Programs for modelling write y up; names of sides cannot tell.
+void OtherSidesTest::anotherAxisUpIsDoubted_data() {
+  QTest::addColumn<QStringList>("organs");
+  QTest::addColumn<int>("turned");  // quarters about the axis from left to right
+  QTest::addColumn<bool>("doubted");
+  const QStringList whole{"liver",        "spleen",      "left kidney",
+                          "right kidney", "right femur", "left femur"};
+  QTest::newRow("upright") << whole << 0 << false;
+  QTest::newRow("y up") << whole << 1 << true;
+  QTest::newRow("upside down") << whole << 2 << true;
+  QTest::newRow("y down") << whole << 3 << true;
+  QTest::newRow("nothing low") << QStringList{"liver", "spleen", "left kidney", "right kidney"} << 1
+                               << false;
+}
+
+void OtherSidesTest::anotherAxisUpIsDoubted() {
+  QFETCH(QStringList, organs);
+  QFETCH(int, turned);
+  QFETCH(bool, doubted);
+  const QTemporaryDir folder;
+  for (const QString& organ : organs) {
+    glm::vec3 at = organ == "left femur" ? glm::vec3(90, 10, -200) : body().at(organ);
+    for (int i = 0; i < turned; ++i)
+      at = {at.x, at.z, -at.y};
+    test::writeMesh(folder.filePath(organ + ".ply"), *test::octahedron(at, radius));
+  }
+  const auto imported =
+      importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, {});
+  QVERIFY(imported.ok());
+  for (const int axis : {0, 1, 2})
+    if (doubted || axis == 2)
+      QCOMPARE(knownSides(imported->scene).inDoubt(axis), doubted);
+  QCOMPARE(test::warningsOf(*imported).contains(notUpright.data()), doubted);
+  const Scene settled = withSidesSettled(imported->scene, SideAnswer::right).scene;
+  QVERIFY(!knownSides(settled).inDoubt(2));
+}
 
 /// Whatever the others say of the frame.
 void OtherSidesTest::theOtherSideIsTold_data() {
