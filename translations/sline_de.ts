@@ -1344,8 +1344,8 @@
         <translation>es gibt keinen Ordner %1</translation>
     </message>
     <message>
-        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
-        <translation>Namen dessen, was in einem Körper oben und unten liegt, sagen, dass eine andere Achse als z zum Kopf führt; drehen Sie die Dateien so, dass z es tut</translation>
+        <source>names say that z does not lead to the head: turn the files</source>
+        <translation>Namen sagen, dass z nicht zum Kopf führt: Drehen Sie die Dateien</translation>
     </message>
     <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
@@ -1852,7 +1852,7 @@
         <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
     </message>
     <message>
-        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <source>words and numbers of no anatomy, maybe a person&apos;s, left out of names: %1</source>
         <translation>in Namen weggelassene Wörter und Zahlen, die nicht zur Anatomie gehören, aber zu einer Person gehören können; betroffene Namen: %1</translation>
     </message>
     <message>

@@ -1344,8 +1344,8 @@
         <translation>det finnes ingen mappe %1</translation>
     </message>
     <message>
-        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
-        <translation>navn på det som ligger høyt og lavt i en kropp, sier at en annen akse enn z fører til hodet; vri filene slik at z gjør det</translation>
+        <source>names say that z does not lead to the head: turn the files</source>
+        <translation>navn sier at z ikke fører til hodet: vri filene</translation>
     </message>
     <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
@@ -1852,7 +1852,7 @@
         <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
     </message>
     <message>
-        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <source>words and numbers of no anatomy, maybe a person&apos;s, left out of names: %1</source>
         <translation>i navn utelatte ord og tall som ikke hører til anatomien, men kan høre til en person; antall navn: %1</translation>
     </message>
     <message>

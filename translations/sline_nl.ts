@@ -1344,8 +1344,8 @@
         <translation>er is geen map %1</translation>
     </message>
     <message>
-        <source>names of what lies high and low in a body say that another axis than z leads to the head; turn the files so that z does</source>
-        <translation>namen van wat in een lichaam hoog en laag ligt, zeggen dat een andere as dan z naar het hoofd leidt; draai de bestanden zo dat z dat doet</translation>
+        <source>names say that z does not lead to the head: turn the files</source>
+        <translation>namen zeggen dat z niet naar het hoofd leidt: draai de bestanden</translation>
     </message>
     <message>
         <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
@@ -1852,7 +1852,7 @@
         <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
     </message>
     <message>
-        <source>words and numbers that are no anatomy, but may be a person&apos;s, were left out of names: %1</source>
+        <source>words and numbers of no anatomy, maybe a person&apos;s, left out of names: %1</source>
         <translation>in namen weggelaten woorden en getallen die niet bij de anatomie horen, maar bij een persoon kunnen horen; aantal namen: %1</translation>
     </message>
     <message>

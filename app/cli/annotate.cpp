@@ -171,13 +171,9 @@ Result<model::Anchor> anchorFor(Where& where, std::optional<model::NodeId> struc
     return usageError("\"" + where.scene.find(*structure)->name + "\" has no surface",
                       "Name another structure");
   const model::Anchor anchor = model::SurfacePoint{*structure, nearest->triangle, nearest->weights};
-  constexpr float told = 1.0f;  // mm
-  const std::optional<glm::vec3> there = where.scene.placeOf(anchor);
-  if (const float way = there ? glm::distance(*there, *place) : 0.0f; way > told)
-    warn("the place " + at + " is " + std::to_string(std::lround(way)) + " mm from \"" +
-         where.scene.find(*structure)->name +
-         "\": the annotation is on its surface, where that is nearest. Without --on it stays where "
-         "it is");
+  const float way = glm::distance(where.scene.placeOf(anchor).value_or(*place), *place);
+  if (way > 1.0f)
+    warn(at + ": put on the surface, " + std::to_string(std::lround(way)) + " mm from there");
   return anchor;
 }
 
@@ -269,8 +265,7 @@ std::optional<Error> conflictIn(const AnnotateFlags& flags) {
     return usageError("--label has no words",
                       "Write some, or leave it out for the structure's name");
   const bool making = !flags.list && flags.remove.empty();
-  const bool named = flags.label || flags.kind == "distance";
-  if (making && flags.on.empty() && (flags.at.empty() || !named))
+  if (making && flags.on.empty() && (flags.at.empty() || (!flags.label && flags.to.empty())))
     return usageError("the label has no text or no place",
                       "Give --on STRUCTURE, or --label TEXT and --at x,y,z");
   if (making && (flags.kind == "distance") == flags.to.empty())

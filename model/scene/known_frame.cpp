@@ -96,13 +96,11 @@ bool namesInDoubt(const Scene& scene, const Annotation& annotation) {
   const auto* point = annotation.kind == AnnotationKind::distance || annotation.anchors.empty()
                           ? nullptr
                           : std::get_if<SurfacePoint>(&annotation.anchors.front());
-  const Node* node = point ? scene.find(point->structure) : nullptr;
-  return node && isNameDoubted(*node);
+  return point && scene.find(point->structure) && isNameDoubted(*scene.find(point->structure));
 }
 
 bool KnownSides::inDoubt(int axis) const {
-  const Evidence along[] = {evidence.sides, evidence.front, evidence.up};
-  return any && !isSure(along[axis]);
+  return any && !isSure(axis == 0 ? evidence.sides : axis == 1 ? evidence.front : evidence.up);
 }
 
 KnownSides knownSides(const Scene& scene) {

@@ -39,10 +39,9 @@ std::string writtenIn(const Annotation& annotation, const std::string& tags) {
 }
 
 std::string writtenIn(const Scene& scene, const Annotation& annotation, const std::string& tags) {
-  std::string words = writtenIn(annotation, tags);
-  if (!words.empty() && namesInDoubt(scene, annotation))
-    words += doubtMark;
-  return words;
+  const std::string words = writtenIn(annotation, tags);
+  const bool marked = !words.empty() && namesInDoubt(scene, annotation);
+  return marked ? words + std::string(doubtMark) : words;
 }
 
 }  // namespace sline::model

@@ -82,9 +82,8 @@ Ordered extentJson(const ReadExtent& extent) {
 }  // namespace
 
 SideEvidence evidenceFrom(JsonObject& object, SideEvidence unsaid) {
-  for (const auto& [key, target] :
-       {std::pair("sides", &unsaid.sides), std::pair("front", &unsaid.front),
-        std::pair("up", &unsaid.up)})
+  for (const auto& [key, target] : {std::pair("sides", &unsaid.sides),
+                                    std::pair("front", &unsaid.front), std::pair("up", &unsaid.up)})
     if (const auto value = object.take(key))
       *target = evidenceOf(*value);
   return unsaid;

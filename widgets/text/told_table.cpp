@@ -239,16 +239,13 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "no structure of the scene came from these of its surfaces: %1"),
     QT_TRANSLATE_NOOP("Told", "it holds no surface %1 any more"),
     QT_TRANSLATE_NOOP("Told",
-                      "words and numbers that are no anatomy, but may be a person's, were left out "
-                      "of names: %1"),
+                      "words and numbers of no anatomy, maybe a person's, left out of names: %1"),
     QT_TRANSLATE_NOOP("Told", "it has no face with area any more"),
     QT_TRANSLATE_NOOP("Told", "chosen by the user"),
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),
     QT_TRANSLATE_NOOP("Told", "vote: %1 of %2 left/right names"),
     QT_TRANSLATE_NOOP("Told", "weak vote: %1 of %2 left/right names"),
-    QT_TRANSLATE_NOOP("Told",
-                      "names of what lies high and low in a body say that another axis than z "
-                      "leads to the head; turn the files so that z does"),
+    QT_TRANSLATE_NOOP("Told", "names say that z does not lead to the head: turn the files"),
     QT_TRANSLATE_NOOP("Told", "names of front and back alone"),
     QT_TRANSLATE_NOOP("Told", "laid over surfaces of the same names: %1 within 2 mm"),
     QT_TRANSLATE_NOOP("Told", "fits in with the other surfaces"),

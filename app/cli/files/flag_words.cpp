@@ -9,8 +9,7 @@ namespace {
 
 constexpr FlagWords rows[] = {
     {"put them together on purpose", "--together"},
-    {"but may be a person's, were left out of names",
-     "`sline import --keep-file-names` keeps them"},
+    {"maybe a person's, left out of names", "`sline import --keep-file-names` keeps them"},
     {"Give a threshold that makes a structure of it",
      "--threshold NAME=VALUE, or --threshold bone, skin or vessels"},
     {"made of the images, or from a threshold", "--threshold bone"},

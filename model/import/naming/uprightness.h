@@ -12,8 +12,7 @@ namespace sline::model {
 
 /// Says so, as a remark.
 inline constexpr std::string_view notUpright =
-    "names of what lies high and low in a body say that another axis than z leads to the head; "
-    "turn the files so that z does";
+    "names say that z does not lead to the head: turn the files";
 
 /// Tells whether the places contradict that +z leads to the head: of what lies high in every body
 /// ("liver", "heart") and what lies low ("bladder", "femur"), two names each at least, the middles

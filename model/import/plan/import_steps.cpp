@@ -90,9 +90,8 @@ void tellCutNames(std::size_t count, const std::vector<Part>& parts,
     for (std::string& word : part.nameCut ? wordsNotShown(part.given) : std::vector<std::string>())
       if (std::find(words.begin(), words.end(), word) == words.end())
         words.push_back(std::move(word));
-  std::string text =
-      "words and numbers that are no anatomy, but may be a person's, were left out of names: " +
-      std::to_string(count);
+  std::string text = "words and numbers of no anatomy, maybe a person's, left out of names: " +
+                     std::to_string(count);
   for (std::size_t i = 0; i < std::min(words.size(), mostTold); ++i)
     text += (i == 0 ? " (\"" : ", \"") + words[i] + '"';
   if (!words.empty())
