@@ -1867,6 +1867,10 @@
         <source>the graphics driver has no memory left for the picture</source>
         <translation>der Grafiktreiber hat keinen Speicher mehr für das Bild</translation>
     </message>
+    <message>
+        <source>the names of the files tell of %1 bodies: %2</source>
+        <translation>die Namen der Dateien sprechen von %1 Körpern: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5763,6 +5767,13 @@
         <source>Choose a view from farther away, or no labels.</source>
         <translation>Wählen Sie eine Ansicht von weiter weg oder keine Beschriftungen.</translation>
     </message>
+    <message numerus="yes">
+        <source>Names tell that these files are of %n bodies. Put them into one scene?</source>
+        <translation>
+            <numerusform>Nach den Namen gehören diese Dateien zu %n Körper. Sollen sie eine Szene werden?</numerusform>
+            <numerusform>Nach den Namen gehören diese Dateien zu %n Körpern. Sollen sie eine Szene werden?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -9038,6 +9049,10 @@ OpenGL: %3</translation>
     <message>
         <source>Labels show such names with a question mark, and no question asks for them.</source>
         <translation>Beschriftungen zeigen solche Namen mit einem Fragezeichen, und keine Frage fragt danach.</translation>
+    </message>
+    <message>
+        <source>Nothing tells that z leads to the head; it was assumed.</source>
+        <translation>Nichts sagt, dass z zum Kopf führt; es wurde angenommen.</translation>
     </message>
 </context>
 <context>

@@ -206,6 +206,13 @@
             <numerusform>%n labels stand on anatomy, which leaves no room beside it: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Names tell that these files are of %n bodies. Put them into one scene?</source>
+        <translation>
+            <numerusform>Names tell that these files are of %n body. Put them into one scene?</numerusform>
+            <numerusform>Names tell that these files are of %n bodies. Put them into one scene?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

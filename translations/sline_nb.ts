@@ -1867,6 +1867,10 @@
         <source>the graphics driver has no memory left for the picture</source>
         <translation>grafikkdriveren har ikke mer minne til bildet</translation>
     </message>
+    <message>
+        <source>the names of the files tell of %1 bodies: %2</source>
+        <translation>navnene på filene forteller om %1 kropper: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5763,6 +5767,13 @@
         <source>Choose a view from farther away, or no labels.</source>
         <translation>Velg en visning lenger unna, eller ingen etiketter.</translation>
     </message>
+    <message numerus="yes">
+        <source>Names tell that these files are of %n bodies. Put them into one scene?</source>
+        <translation>
+            <numerusform>Navnene forteller at disse filene hører til %n kropp. Skal de bli én scene?</numerusform>
+            <numerusform>Navnene forteller at disse filene hører til %n kropper. Skal de bli én scene?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -9038,6 +9049,10 @@ OpenGL: %3</translation>
     <message>
         <source>Labels show such names with a question mark, and no question asks for them.</source>
         <translation>Etiketter viser slike navn med spørsmålstegn, og ingen spørsmål spør etter dem.</translation>
+    </message>
+    <message>
+        <source>Nothing tells that z leads to the head; it was assumed.</source>
+        <translation>Ingenting sier at z fører mot hodet; det ble antatt.</translation>
     </message>
 </context>
 <context>

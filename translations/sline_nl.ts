@@ -1867,6 +1867,10 @@
         <source>the graphics driver has no memory left for the picture</source>
         <translation>het grafische stuurprogramma heeft geen geheugen meer voor het beeld</translation>
     </message>
+    <message>
+        <source>the names of the files tell of %1 bodies: %2</source>
+        <translation>de namen van de bestanden wijzen op %1 lichamen: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5763,6 +5767,13 @@
         <source>Choose a view from farther away, or no labels.</source>
         <translation>Kies een aanzicht van verder weg, of geen labels.</translation>
     </message>
+    <message numerus="yes">
+        <source>Names tell that these files are of %n bodies. Put them into one scene?</source>
+        <translation>
+            <numerusform>Volgens de namen horen deze bestanden bij %n lichaam. In één scène zetten?</numerusform>
+            <numerusform>Volgens de namen horen deze bestanden bij %n lichamen. In één scène zetten?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -9038,6 +9049,10 @@ OpenGL: %3</translation>
     <message>
         <source>Labels show such names with a question mark, and no question asks for them.</source>
         <translation>Labels tonen zulke namen met een vraagteken, en geen vraag vraagt ernaar.</translation>
+    </message>
+    <message>
+        <source>Nothing tells that z leads to the head; it was assumed.</source>
+        <translation>Niets zegt dat z naar het hoofd wijst; het werd aangenomen.</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ Json nodeJson(const model::Node& node) {
   json["read_as"] = origin.frame;
   json["sides"] = model::evidenceNames[std::size_t(origin.evidence.sides)];
   json["front"] = model::evidenceNames[std::size_t(origin.evidence.front)];
+  json["up"] = model::evidenceNames[std::size_t(origin.evidence.up)];
   json["frame_reason"] = origin.frameReason;
   json["mm_per_unit"] = jsonNumber(origin.mmPerUnit);
   json["unit_reason"] = origin.unitReason;

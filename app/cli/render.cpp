@@ -32,6 +32,7 @@ Exit runRender(const RenderFlags& flags) {
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   warnOfSides(imported->scene);
+  warnOfNoLabels(flags.picture.labels, imported->scene);
   return drawScene(imported->scene, *spec, progress);
 }
 

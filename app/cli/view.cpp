@@ -8,7 +8,7 @@
 #include "app/cli/files/names.h"
 #include "app/cli/files/thumbnail.h"
 #include "app/cli/flags/picture_options.h"
-#include "app/cli/view_words.h"
+#include "app/cli/flags/view_words.h"
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"
 #include "model/look/opening_look.h"

@@ -283,6 +283,22 @@ Edited withNamesSettled(const Scene& scene) {
   return {std::move(after), true};
 }
 
+/// Returns the least sure of each direction in all that has sides, visible or not.
+SideEvidence leastSure(const Scene& scene) {
+  SideEvidence least;
+  const auto add = [&least](const SideEvidence& more) {
+    least.sides = std::max(least.sides, more.sides);
+    least.front = std::max(least.front, more.front);
+    least.up = std::max(least.up, more.up);
+  };
+  for (const Node& node : scene.nodes())
+    if (isDoubted(node))
+      add(node.provenance.evidence);
+  for (const Scan& scan : scene.scans())
+    add(scan.evidence);
+  return least;
+}
+
 }  // namespace
 
 bool hasDoubtedSides(const Scene& scene) {
@@ -299,16 +315,13 @@ bool hasDoubtedNames(const Scene& scene) {
 }
 
 bool isOnlyFrontDoubted(const Scene& scene) {
-  const auto sidesDoubted = [](const SideEvidence& evidence) { return !isSure(evidence.sides); };
-  const auto& nodes = scene.nodes();
-  const auto& scans = scene.scans();
-  return hasDoubtedSides(scene) &&
-         std::none_of(nodes.begin(), nodes.end(),
-                      [&](const Node& node) {
-                        return isDoubted(node) && sidesDoubted(node.provenance.evidence);
-                      }) &&
-         std::none_of(scans.begin(), scans.end(),
-                      [&](const Scan& scan) { return sidesDoubted(scan.evidence); });
+  const SideEvidence least = leastSure(scene);
+  return isSure(least.sides) && !isSure(least.front);
+}
+
+bool isOnlyUpDoubted(const Scene& scene) {
+  const SideEvidence least = leastSure(scene);
+  return isSure(least.sides) && isSure(least.front) && !isSure(least.up);
 }
 
 Edited withSidesSettled(const Scene& scene, SideAnswer answer) {

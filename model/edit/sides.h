@@ -24,9 +24,11 @@ bool hasDoubtedSides(const Scene& scene);
 /// Tells whether any structure, visible or not, has a name that is in doubt (known_frame.h).
 bool hasDoubtedNames(const Scene& scene);
 
-/// Tells whether what is in doubt is the front alone: a mirror image then has front and back
-/// swapped.
+/// Tells whether the front is in doubt and the sides are not: a mirror image then has front and
+/// back swapped.
 bool isOnlyFrontDoubted(const Scene& scene);
+/// Tells whether nothing is in doubt but which way leads to the head.
+bool isOnlyUpDoubted(const Scene& scene);
 
 /// Settles the sides of all that is in doubt, or of everything that has sides where nothing is.
 /// That all is right settles the names that are in doubt where no sides are. What is mirrored or

@@ -210,6 +210,9 @@ void AnnotateTest::refusals() {
 }
 
 void AnnotateTest::drawsLabels() {
+  const QStringList none{"render", scene(), "-o", path("none.png")};
+  QVERIFY(runSline(none + QStringList{"--labels", "on"}).err.contains("the scene has no labels"));
+  QVERIFY(!runSline(none).err.contains("no labels"));
   QCOMPARE(annotate({"--label", "Seen from the front", "--on", "kidney"}).code, 0);
   const Pixels plain = rendered({});
   const Pixels labelled = rendered({"--labels", "on"});

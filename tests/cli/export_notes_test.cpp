@@ -45,8 +45,8 @@ class ExportNotesTest : public QObject {
         {"--png", "a.png", "--labels", "on", "--label-size", "30", "--size-mm", "40x16"},
         {"labels found no room: \"the "});
     row("room in a film",
-        {"--webp", "a.webp", "--labels", "on", "--label-size", "30", "--size-mm", "40x16",
-         "--seconds", "0.2", "--fps", "10", "--film-height", "36"},
+        {"--webp", "a.webp", "--labels", "on", "--label-size", "48", "--size-mm", "16x40",
+         "--seconds", "0.2", "--fps", "10", "--film-height", "90"},
         {"labels found no room: \"the "});
     row("hidden", {"--svg", "a.svg", "--labels", "on", "--only", "kidney"},
         {"2 labels are left out, as nothing is drawn there: \"the artery\", \"the vein\"."});

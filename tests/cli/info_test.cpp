@@ -97,7 +97,7 @@ void InfoTest::jsonHasItsShape() {
   QCOMPARE(keys,
            QStringList({"annotations", "bounds_mm", "frame", "frame_reason", "front",
                         "on_other_side", "read_as", "scans", "sides", "structures", "triangles",
-                        "unit", "unit_doubted", "vertices", "views", "warnings"}));
+                        "unit", "unit_doubted", "up", "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);
@@ -109,7 +109,7 @@ void InfoTest::jsonHasItsShape() {
   keys = artery.keys();
   keys.sort();
   QCOMPARE(keys, QStringList({"bounds_mm", "closed", "components", "frame", "front", "group",
-                              "name", "read_as", "sides", "triangles", "vertices"}));
+                              "name", "read_as", "sides", "triangles", "up", "vertices"}));
   QCOMPARE(artery["group"].toString(), QString("Vessels"));
   QCOMPARE(artery["triangles"].toInt(), 1280);
   QCOMPARE(artery["vertices"].toInt(), 642);

@@ -36,7 +36,10 @@ void askAboutPatients(QWidget& window, const PatientQuestion& asked,
   box->setIcon(QMessageBox::Question);
   // Names of files must not act as markup.
   box->setTextFormat(Qt::PlainText);
-  box->setText(asked.patients.certain
+  box->setText(asked.patients.byName
+                   ? tr("Names tell that these files are of %n bodies. Put them into one scene?",
+                        nullptr, count)
+               : asked.patients.certain
                    ? tr("These files are of %n patients. Put them into one scene?", nullptr, count)
                    : tr("These files are of %n studies, and nothing says that they are of one "
                         "patient. Put them into one scene?",

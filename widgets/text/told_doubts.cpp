@@ -71,6 +71,7 @@ constexpr const char* doubtRows[] = {
                       "that what is laid over each other fits"),
     QT_TRANSLATE_NOOP("Told", "it is of another patient than the other files now"),
     QT_TRANSLATE_NOOP("Told", "the files are of %1 patients: %2"),
+    QT_TRANSLATE_NOOP("Told", "the names of the files tell of %1 bodies: %2"),
     QT_TRANSLATE_NOOP(
         "Told", "the files are of %1 studies, and nothing says that they are of one patient: %2"),
     QT_TRANSLATE_NOOP("Told", "Give the files of one patient, or put them together on purpose"),

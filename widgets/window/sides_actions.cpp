@@ -101,7 +101,9 @@ QString SidesActions::question() const {
   const bool conflict =
       first != nodes.end() && first->provenance.evidence.sides == model::Evidence::conflict;
   const QString what =
-      model::isOnlyFrontDoubted(m_session.scene())
+      model::isOnlyUpDoubted(m_session.scene())
+          ? tr("Nothing tells that z leads to the head; it was assumed.")
+      : model::isOnlyFrontDoubted(m_session.scene())
           ? tr("Front and back are not certain: names tell left and right alone.")
       : conflict ? tr("Left and right are not certain: names or places contradict the frame.")
                  : tr("Left and right are not certain: they were assumed.");
@@ -134,6 +136,8 @@ void SidesActions::showState() {
   QPushButton& right = *m_answers[std::size_t(model::SideAnswer::right)];
   right.setVisible(doubted || names);
   right.setText(names ? tr("Names are right") : tr("Sides are right"));
+  m_answers[std::size_t(model::SideAnswer::mirror)]->setVisible(doubted &&
+                                                                !model::isOnlyUpDoubted(scene));
   m_answers[std::size_t(model::SideAnswer::turn)]->setVisible(
       std::any_of(nodes.begin(), nodes.end(), frontDoubted) && !model::isOnlyFrontDoubted(scene));
   QStringList says;

@@ -29,6 +29,7 @@ void join(std::string& all, const std::string& one, bool first) {
 void join(model::SideEvidence& all, const model::SideEvidence& one) {
   all.sides = std::max(all.sides, one.sides);
   all.front = std::max(all.front, one.front);
+  all.up = std::max(all.up, one.up);
 }
 
 /// Returns the frame in which a structure lies in the scene.
@@ -108,6 +109,7 @@ namespace {
 void putSides(Json& json, bool sided, const model::SideEvidence& evidence) {
   json["sides"] = sided ? model::evidenceNames[std::size_t(evidence.sides)] : "none";
   json["front"] = sided ? model::evidenceNames[std::size_t(evidence.front)] : "none";
+  json["up"] = sided ? model::evidenceNames[std::size_t(evidence.up)] : "none";
 }
 
 Json structureJson(const StructureInfo& structure) {

@@ -91,6 +91,15 @@ Result<LabelSpec> parseFlags(const LabelFlags& flags) {
   return labels;
 }
 
+void warnOfNoLabels(const LabelFlags& flags, const model::Scene& scene) {
+  const Result<LabelSpec> asked = parseFlags(flags);
+  if (asked.ok() && asked->style.mode != flags.mode &&
+      asked->style.mode != render::LabelMode::off && scene.annotations().empty())
+    warn(
+        "--labels draws nothing, as the scene has no labels. Make them in a scene file with `sline "
+        "annotate`");
+}
+
 void LabelSpec::writeTo(render::ExportOrder& order) const {
   order.labels = style;
   order.marks = marks;

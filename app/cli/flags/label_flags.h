@@ -38,6 +38,8 @@ struct LabelSpec {
 void declareLabels(CLI::App& command, LabelFlags& flags);
 /// Reads the flags. An error counts as wrong use.
 Result<LabelSpec> parseFlags(const LabelFlags& flags);
+/// Warns where labels were asked for and the scene has none.
+void warnOfNoLabels(const LabelFlags& flags, const model::Scene& scene);
 /// Makes the order ready for the scene, given as it is drawn, on a page of that size.
 Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm);
 /// Prints the number and text of each label in the picture, one per line.

@@ -124,12 +124,16 @@ void warnOfSides(const model::Scene& scene) {
   const auto first = std::find_if(nodes.begin(), nodes.end(), doubted);
   const auto count = std::count_if(nodes.begin(), nodes.end(), doubted);
   const bool onlyFront = model::isOnlyFrontDoubted(scene);
-  std::string text =
-      onlyFront ? "front and back are not certain" : "left and right are not certain";
+  const bool onlyUp = model::isOnlyUpDoubted(scene);
+  std::string text = onlyUp      ? "which way leads to the head is not certain"
+                     : onlyFront ? "front and back are not certain"
+                                 : "left and right are not certain";
   if (first != nodes.end())
     text += " of " + std::to_string(count) + (count == 1 ? " structure (" : " structures (") +
             first->provenance.frame + ": " + first->provenance.frameReason + ")";
-  warn(text + (onlyFront
+  warn(text + (onlyUp ? "; marks of above and below carry a question mark until --sides right "
+                        "settles it"
+               : onlyFront
                    ? "; marks of front and back carry a question mark until --sides right, or "
                      "mirror where they are swapped, or --frame, settles it"
                    : "; marks of the sides carry a question mark until --sides right, mirror "

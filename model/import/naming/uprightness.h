@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/import/naming/laterality.h"
+#include "model/scene/evidence.h"
 
 namespace sline::model {
 
@@ -14,9 +15,10 @@ namespace sline::model {
 inline constexpr std::string_view notUpright =
     "names say that z does not lead to the head: turn the files";
 
-/// Tells whether the places contradict that +z leads to the head: of what lies high in every body
-/// ("liver", "heart") and what lies low ("bladder", "femur"), two names each at least, the middles
-/// lie the other way round, or farther apart along another axis.
-bool contradictsUpright(std::span<const NamedPosition> places);
+/// Returns how it is known that +z leads to the head: voted where what lies high in every body
+/// ("liver", "heart", "superior …") lies above what lies low ("bladder", "femur", "inferior …") and
+/// no farther away along another axis; conflict where two names each at least, whose places are far
+/// apart, say otherwise; else assumed.
+Evidence uprightEvidence(std::span<const NamedPosition> places);
 
 }  // namespace sline::model

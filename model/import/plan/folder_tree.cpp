@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "model/anatomy/name_words.h"
+#include "model/import/kinds/entry_names.h"
+#include "model/import/naming/file_marks.h"
 #include "model/import/naming/names.h"
 #include "model/import/naming/part_of_table.h"
-#include "model/import/plan/file_marks.h"
 
 namespace sline::model {
 

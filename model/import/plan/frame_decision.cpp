@@ -146,7 +146,7 @@ class FrameDecision {
       part->provenance.frameReason = decided.reason;
       part->provenance.evidence = decided.evidence;
       if (part->raw.onlySideOpen)
-        part->provenance.evidence.front = Evidence::known;
+        part->provenance.evidence.front = part->provenance.evidence.up = Evidence::known;
     }
   }
 
@@ -277,9 +277,12 @@ class FrameDecision {
         axesOf(*vote.winner()).left != axesOf(decided.frame).left)
       decided.evidence.sides = Evidence::assumed;
     compareFront(decided, front, report);
-    if (!laid.frame && contradictsUpright(places)) {
+    decided.evidence.up = laid.frame ? Evidence::voted : uprightEvidence(places);
+    if (decided.evidence.up == Evidence::conflict) {
       decided.evidence = {Evidence::conflict, Evidence::conflict, Evidence::conflict};
       report.warnings.push_back({"", std::string(notUpright)});
+    } else if (fit.frame) {
+      decided.evidence.up = Evidence::voted;  // it fits where the others are upright
     }
     if (fit.none && !decided.evidence.isSure())
       report.warnings.push_back(

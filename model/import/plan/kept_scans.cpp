@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
+#include "model/import/naming/file_marks.h"
 #include "model/import/naming/laterality.h"
-#include "model/import/plan/file_marks.h"
 #include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {

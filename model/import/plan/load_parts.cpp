@@ -7,12 +7,14 @@
 #include <set>
 #include <utility>
 
+#include "model/base/letters.h"
 #include "model/disk/memory_budget.h"
 #include "model/import/credits/source_credit.h"
+#include "model/import/kinds/entry_names.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/naming/file_marks.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
-#include "model/import/plan/file_marks.h"
 #include "model/import/plan/frame_fit.h"
 #include "model/import/volumes/volume_set.h"
 #include "model/import/volumes/volume_surfaces.h"
@@ -175,6 +177,15 @@ PartName shownOf(const std::string& name, bool whole) {
   return shown;
 }
 
+/// Tells whether the name is only the value of a label volume's voxels, which is no one's.
+bool isLabelValue(const RawMesh& raw) {
+  constexpr std::string_view word = "label ";
+  constexpr std::size_t mostDigits = 5;  // FreeSurfer's tables end at 14175
+  return raw.voxelVolume && raw.name.starts_with(word) && raw.name.size() > word.size() &&
+         raw.name.size() <= word.size() + mostDigits &&
+         std::all_of(raw.name.begin() + std::ptrdiff_t(word.size()), raw.name.end(), isDigit);
+}
+
 /// Returns the name of a part of a molecule. What files that are no published entries call chains
 /// has been given by somebody, who may have called them after a patient.
 PartName moleculePartName(const RawMesh& raw, bool whole) {
@@ -197,7 +208,7 @@ PartName partName(const RawMesh& raw, const SourceFile& source, const Sources& s
   if (given.empty())
     given = readableName(stem);
   // Who asks for a threshold names what it makes.
-  PartName own = shownOf(given, keepNames || raw.threshold);
+  PartName own = shownOf(given, keepNames || raw.threshold || isLabelValue(raw));
   if (own.name.empty())
     own.name = shownFileName(stem);
   if (own.name.empty())
@@ -253,7 +264,10 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
   std::vector<RawMesh>& meshes = read->meshes;
   std::map<std::string, FileFacts> facts = factsOf(source, meshes);
   const std::vector<std::string> names = partNames(meshes);
-  const SourceCredit credit = creditOf(source.file);
+  // Whose a published entry is, no folder knows that it was put into.
+  const bool entry = !meshes.empty() && meshes.front().molecule && isEntryFile(source.file);
+  const SourceCredit credit =
+      entry ? SourceCredit{.source = entryCitation(source.file)} : creditOf(source.file);
   for (std::size_t i = 0; i < meshes.size() && loading.meter.goesOn(shown); ++i) {
     Part part;
     part.file = index;

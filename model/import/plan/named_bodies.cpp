@@ -2,15 +2,17 @@
 #include "model/import/plan/named_bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <string>
 
 #include "model/anatomy/shown_names.h"
 #include "model/base/letters.h"
+#include "model/import/kinds/entry_names.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/naming/named_sex.h"
 #include "model/import/naming/names.h"
-#include "model/import/plan/file_marks.h"
 
 namespace sline::model {
 
@@ -82,9 +84,31 @@ bool areTwo(const std::set<std::string>& one, const NamedBody& a,
   return twice >= surely || (twice > 0 && names(ones) && names(others));
 }
 
+/// Returns the files that names say are of a woman and those of a man, where there are both.
+std::vector<PatientFiles> bodiesBySex(const Sources& sources, const std::set<fs::path>& marked) {
+  std::array<PatientFiles, 2> bodies;
+  for (const SourceFile& file : sources.files) {
+    if (file.model || file.slice || marked.contains(file.file))
+      continue;
+    NamedSex sex = sexInName(stemOf(file.file));
+    if (sex == NamedSex::none)
+      sex = sexInName(file.file.parent_path().filename().string());
+    for (auto folder = file.folders.rbegin();
+         folder != file.folders.rend() && sex == NamedSex::none; ++folder)
+      sex = sexInName(*folder);
+    if (sex != NamedSex::none)
+      bodies[sex == NamedSex::female ? 0 : 1].files.push_back(file.file);
+  }
+  if (bodies[0].files.empty() || bodies[1].files.empty())
+    return {};
+  return {bodies.begin(), bodies.end()};
+}
+
 }  // namespace
 
 std::vector<PatientFiles> bodiesByName(const Sources& sources, const std::set<fs::path>& marked) {
+  if (std::vector<PatientFiles> sexes = bodiesBySex(sources, marked); !sexes.empty())
+    return sexes;
   using Bodies = std::map<std::set<std::string>, NamedBody>;
   Bodies bodies;
   OwnersWords owners;

@@ -14,7 +14,9 @@ namespace sline::model {
 
 /// Returns the files of each body that names tell apart, two or more, in the order of the files;
 /// nothing where they may all be of one: one organ that comes twice may be two versions of it,
-/// unless what differs is written as persons' names are. Files that say themselves whose they are
+/// unless what differs is written as persons' names are;
+/// organs of a woman and of a man, as names say, are of two whatever they are. Files that say
+/// themselves whose they are
 /// (`marked`) are passed over, and so are molecules' entries and what scenes of 3D Slicer name.
 std::vector<PatientFiles> bodiesByName(const Sources& sources,
                                        const std::set<std::filesystem::path>& marked);

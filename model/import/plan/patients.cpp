@@ -70,6 +70,7 @@ Patients patientsOf(const Sources& sources, const std::vector<FoundMarks>& found
     if (!each.marks.empty())
       marked.insert(each.file);
   patients.apart = bodiesByName(sources, marked);
+  patients.byName = patients.several();
   return patients;
 }
 
@@ -177,9 +178,11 @@ Error Patients::error() const {
   std::string lists;
   for (const PatientFiles& one : apart)
     lists += (lists.empty() ? "" : "; ") + filesText(one.files);
-  return {.reason = (certain ? "the files are of " + std::to_string(apart.size()) + " patients: "
-                             : "the files are of " + std::to_string(apart.size()) +
-                                   " studies, and nothing says that they are of one patient: ") +
+  const std::string number = std::to_string(apart.size());
+  return {.reason = (byName    ? "the names of the files tell of " + number + " bodies: "
+                     : certain ? "the files are of " + number + " patients: "
+                               : "the files are of " + number +
+                                     " studies, and nothing says that they are of one patient: ") +
                     lists,
           .remedy = "Give the files of one patient, or put them together on purpose"};
 }

@@ -26,6 +26,7 @@ struct PatientFiles {
 struct Patients {
   std::vector<PatientFiles> apart;  ///< two or more, in the order of the files
   bool certain = false;  ///< false: their studies differ, and nothing tells whose they are
+  bool byName = false;   ///< nothing but names of files and folders tells them apart
   /// Files of one patient lie in several frames of reference.
   bool framesDiffer = false;
 

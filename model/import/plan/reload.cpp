@@ -11,7 +11,7 @@
 #include "model/geometry/nearest_point.h"
 #include "model/geometry/paint.h"
 #include "model/import/kinds/file_kinds.h"
-#include "model/import/plan/file_marks.h"
+#include "model/import/naming/file_marks.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/patients.h"
 #include "model/import/plan/reload_patients.h"

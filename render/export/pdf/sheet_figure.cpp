@@ -2,6 +2,7 @@
 #include "render/export/pdf/sheet_figure.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "model/anatomy/laterality_words.h"
@@ -25,8 +26,9 @@ constexpr std::size_t mostPatientLabels = 10;
 /// Describes a structure that has no label yet.
 struct Candidate {
   model::Annotation label;
-  float x = 0.0f;      ///< that of its place, from the picture's middle
-  float size = 0.0f;   ///< that of the structure
+  float x = 0.0f;     ///< that of its place, from the picture's middle
+  float size = 0.0f;  ///< that of the structure
+  glm::vec3 centre{0.0f};
   bool focus = false;  ///< the structure is in focus: it is labelled before others
   model::Side side = model::Side::none;
   std::string otherwise;  ///< its name without the side
@@ -49,6 +51,7 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
     one.label.text = structureName(node.name, order.labels.language);
     one.x = place->place.x - 0.5f * order.page.sizeMm.x;
     one.size = glm::length(node.mesh->bounds().size());
+    one.centre = node.mesh->bounds().centre();
     one.focus = model::isInFocus(order.scene, node.id);
     for (const std::string& word : model::wordsOf(node.name)) {
       const model::Side side = model::sideOfWord(word);
@@ -63,12 +66,24 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
   return all;
 }
 
-/// Keeps one of each left and right pair: the one that fills both sides of the picture evenly.
+/// Tells whether the two are each other's mirror image, so that one name is enough for both: they
+/// lie beside each other and are of a size. The ventricles of the heart are not.
+bool areMirrorImages(const Candidate& one, const Candidate& other) {
+  constexpr float aslant = 0.35f;  // of how far they are apart from side to side
+  constexpr float larger = 1.5f;
+  const glm::vec3 way = glm::abs(one.centre - other.centre);
+  return glm::length(glm::vec2(way.y, way.z)) < aslant * way.x && one.size < larger * other.size &&
+         other.size < larger * one.size;
+}
+
+/// Keeps one of each left and right pair of mirror images: the one that fills both sides of the
+/// picture evenly.
 std::vector<Candidate> oneOfEachPair(const std::vector<Candidate>& all) {
   const auto partner = [&all](const Candidate& one) -> const Candidate* {
     const auto found = std::find_if(all.begin(), all.end(), [&one](const Candidate& other) {
       return one.side != model::Side::none && other.side != model::Side::none &&
-             other.side != one.side && other.otherwise == one.otherwise;
+             other.side != one.side && other.otherwise == one.otherwise &&
+             areMirrorImages(one, other);
     });
     return found == all.end() ? nullptr : &*found;
   };

@@ -8,8 +8,9 @@ namespace sline::render {
 
 /// Returns the figure as the order's sheet has it: its page is fitted into the sheet, and labels
 /// are shown as the sheet shows them. Where the sheet shows labels and the scene has none, they are
-/// added to those structures that are seen, and of a left and a right one to that with more room
-/// beside it, numbered down the left side and then down the right. Without a sheet it is unchanged.
+/// added to those structures that are seen, and of two that are each other's mirror image, left and
+/// right, to that with more room beside it, numbered down the left side and then down the right.
+/// Without a sheet it is unchanged.
 ExportOrder sheetFigure(const ExportOrder& order);
 
 }  // namespace sline::render

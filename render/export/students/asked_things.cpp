@@ -8,6 +8,7 @@
 
 #include "model/anatomy/body_systems.h"
 #include "model/anatomy/kin_names.h"
+#include "model/base/letters.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
 #include "model/scene/question.h"
@@ -148,6 +149,21 @@ bool differBySideAlone(const std::string& a, const std::string& b) {
          (one.side == model::Side::none || other.side == model::Side::none);
 }
 
+/// Returns the words written as those of the right answer are, which would stand out among them:
+/// with a capital at the beginning, and blanks for what joins words.
+WordsByLanguage writtenLike(const WordsByLanguage& right, WordsByLanguage words) {
+  for (auto& [tag, text] : words) {
+    const auto like = right.find(tag);
+    if (like == right.end() || like->second.empty() || text.empty())
+      continue;
+    if (like->second.find('_') == std::string::npos)
+      std::replace(text.begin(), text.end(), '_', ' ');
+    if (isUpper(like->second.front()) && isLower(text.front()))
+      text.front() = char(text.front() - 'a' + 'A');
+  }
+  return words;
+}
+
 /// Returns the distance between two boxes, millimetres.
 float gapBetween(const model::Box& a, const model::Box& b) {
   return glm::length(glm::max(glm::max(a.low - b.high, b.low - a.high), glm::vec3(0.0f)));
@@ -227,7 +243,7 @@ std::vector<WordsByLanguage> Distractors::of(const AskedThing& thing, std::size_
                      [&said](const std::string& name) { return said.contains(name); });
     if (!fresh || chosen.size() == most)
       continue;
-    chosen.push_back(one.candidate->words);
+    chosen.push_back(writtenLike(thing.words, one.candidate->words));
     said.insert(one.candidate->normalised.begin(), one.candidate->normalised.end());
   }
   return chosen;

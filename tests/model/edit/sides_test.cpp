@@ -88,6 +88,10 @@ class SidesTest : public QObject {
     QVERIFY(isOnlyFrontDoubted(scene));
     QVERIFY(!isOnlyFrontDoubted(furnished(guess)));
     QVERIFY(!isOnlyFrontDoubted(furnished({})));
+    const Scene lying = furnished({Evidence::voted, Evidence::voted, Evidence::assumed});
+    QVERIFY(isOnlyUpDoubted(lying) && !isOnlyFrontDoubted(lying));
+    QVERIFY(!isOnlyUpDoubted(scene));
+    QVERIFY(!hasDoubtedSides(withSidesSettled(lying, SideAnswer::right).scene));
     const Edited edited = withSidesSettled(scene, SideAnswer::mirror);
     QVERIFY(edited.changed);
     const Node& node = only(edited.scene);

@@ -186,7 +186,11 @@ void ImportIntoTest::asInOneFolder_data() {
       << 0.0f << true << false;
   QTest::newRow("a pair and what lies before it")
       << QStringList{"growth"} << QStringList{"left kidney", "right kidney", "liver"} << false
-      << false << 0.0f << true << true;
+      << false << 0.0f << true << false;
+  QTest::newRow("a pair and what lies before and below it")
+      << QStringList{"growth"}
+      << QStringList{"left kidney", "right kidney", "liver", "urinary bladder"} << false << false
+      << 0.0f << true << true;
   QTest::newRow("nothing tells") << QStringList{"growth"} << QStringList{"urinary bladder"} << false
                                  << false << 0.0f << false << false;
   QTest::newRow("a weak name beside what was assumed")

@@ -204,6 +204,12 @@ void ImportPatientsTest::apart_data() {
       "perhaps apart");
   row("versions of one organ", {{"liver_nnunet.stl", stl()}, {"liver_manual.stl", stl()}}, "one");
   row("one person", {{"Meier_liver.stl", stl()}, {"Meier_spleen.stl", stl()}}, "one");
+  row("a woman's and a man's", {{"VH_F_Heart.stl", stl()}, {"VH_M_Liver.stl", stl()}},
+      "perhaps apart");
+  row("the same in other words",
+      {{"3d-vh-m-trachea.stl", stl()}, {"female_pelvis/bladder.stl", stl()}}, "perhaps apart");
+  row("two of one man", {{"VH_M_Pelvis.stl", stl()}, {"SBU_M_Intestine_Large.stl", stl()}}, "one");
+  row("a letter that says no sex", {{"m_biceps.stl", stl()}, {"f_lata.stl", stl()}}, "one");
   row("subjects of BIDS, as surfaces", {{"sub-01_liver.stl", stl()}, {"sub-02_liver.stl", stl()}},
       "apart");
 }
@@ -230,6 +236,7 @@ void ImportPatientsTest::apart() {
     }
     const QString error = QString::fromStdString(imported.error().text());
     QVERIFY2(error.contains("together on purpose"), qPrintable(error));
+    QCOMPARE(error.contains("the names of the files tell of 2 bodies"), patients.byName);
     for (const Path& input : inputs)
       QVERIFY2(error.contains(QString::fromStdString(input.filename().string())),
                qPrintable(error));

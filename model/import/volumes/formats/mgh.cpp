@@ -182,7 +182,7 @@ class MghReader {
       toRas[i] = glm::dvec4(three(mghDirections + 12 * std::size_t(i)) * spacing[i], 0.0);
     const glm::dvec3 middle = 0.5 * glm::dvec3(m_file.layout.size);
     m_file.unitReason = "FreeSurfer is in millimetres";
-    if (number<std::int16_t>(mghPlaceKnown) != 0) {
+    if (number<std::int16_t>(mghPlaceKnown) > 0) {
       toRas[3] = glm::dvec4(three(mghCentre) - glm::dvec3(toRas * glm::dvec4(middle, 0.0)), 1.0);
       for (int column = 0; column < 4; ++column)
         m_file.toLps[column] = toRas[column] * glm::dvec4(-1.0, -1.0, 1.0, 1.0);

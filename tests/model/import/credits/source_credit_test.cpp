@@ -11,6 +11,7 @@
 #include "model/import/credits/source_credit.h"
 #include "model/import/plan/import.h"
 #include "model/scene_file/scene_file.h"
+#include "tests/model/import/molecules/entry_files.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -181,6 +182,28 @@ class SourceCreditTest : public QObject {
         lines[node.name] = node.provenance.credit.line();
     QCOMPARE(lines["a"], std::string("An Institute, License: CC0 for this"));
     QCOMPARE(lines["b"], std::string("An Institute, All of it: CC BY 4.0"));
+  }
+
+  /// A published entry is no part of the collection that its file was put into.
+  void entriesSayTheirOwn() {
+    QTemporaryDir folder;
+    const QByteArray pdb = test::pdbFile(test::helix("GGA"));
+    write(folder.filePath("2src.pdb"), pdb);
+    write(folder.filePath("AF-P69905-F1-model_v4.pdb"), pdb);
+    write(folder.filePath("receptor.pdb"), pdb);
+    write(folder.filePath("LICENSE.txt"), "The MIT License\n\nCopyright (c) 2014 A. Maker\n");
+    const auto creditOf = [&folder](const char* file) {
+      const auto imported = model::importInputs({{folder.filePath(file).toStdString()}}, {});
+      std::string line = imported.ok() ? "no structure" : imported.error().text();
+      if (imported.ok())
+        for (const model::Node& node : imported->scene.nodes())
+          if (!node.isGroup())
+            line = node.provenance.credit.line();
+      return line;
+    };
+    QCOMPARE(creditOf("2src.pdb"), std::string("PDB ID 2SRC"));
+    QCOMPARE(creditOf("AF-P69905-F1-model_v4.pdb"), std::string("AlphaFold DB P69905"));
+    QCOMPARE(creditOf("receptor.pdb"), std::string("The MIT License"));
   }
 
   void personsSayIt() {

@@ -198,7 +198,9 @@ void ImportTruthTest::nothingIsSilent_data() {
     row("pair far from the origin", frame, Header::none, {"left kidney", "right kidney"},
         "front marked, right", 400.0f);
     row("pair, and what lies before it", frame, Header::none,
-        {"left kidney", "right kidney", "liver"}, "right");
+        {"left kidney", "right kidney", "liver"}, "up marked, right");
+    row("pair, and what lies before and below it", frame, Header::none,
+        {"left kidney", "right kidney", "liver", "urinary bladder"}, "right");
     const QStringList oneSided{"left kidney", "spleen", "cyst", "drain", "stone", "tumour", "fat"};
     row("one side of the body", frame, Header::none, oneSided, "marked, right");
     row("one side of the body, header", frame, Header::own, oneSided, "right");
@@ -211,8 +213,11 @@ void ImportTruthTest::nothingIsSilent_data() {
     row("spleen", frame, Header::none, {"spleen"}, "marked, right");
     row("appendix", frame, Header::none, {"appendix"}, "marked, right");
     row("descending colon", frame, Header::none, {"descending colon"}, "marked, right");
-    row("liver and spleen", frame, Header::none, {"liver", "spleen"}, "right");
-    row("liver and spleen far off", frame, Header::none, {"liver", "spleen"}, "right", 400.0f);
+    row("liver and spleen", frame, Header::none, {"liver", "spleen"}, "up marked, right");
+    row("liver and spleen far off", frame, Header::none, {"liver", "spleen"}, "up marked, right",
+        400.0f);
+    row("liver, spleen and bladder", frame, Header::none, {"liver", "spleen", "urinary bladder"},
+        "right");
     row("two of different names", frame, Header::none, {"left ureter", "right femur"},
         "front marked, right");
     row("two of the same side", frame, Header::none, {"left ureter", "left kidney"},
@@ -267,12 +272,16 @@ void ImportTruthTest::nothingIsSilent() {
     ++found;
     evidence.sides = std::max(evidence.sides, node.provenance.evidence.sides);
     evidence.front = std::max(evidence.front, node.provenance.evidence.front);
+    evidence.up = std::max(evidence.up, node.provenance.evidence.up);
     right = right &&
             glm::length(node.mesh->bounds().centre() - body().at(organs[organ]) - shift) < 0.1f;
   }
   QCOMPARE(found, int(organs.size()));
   const bool sure = evidence.isSure();
-  const QString mark = sure ? "" : isSure(evidence.sides) ? "front marked, " : "marked, ";
+  const QString mark = sure                      ? ""
+                       : !isSure(evidence.sides) ? "marked, "
+                       : !isSure(evidence.front) ? "front marked, "
+                                                 : "up marked, ";
   const QString got = mark + (right ? "right" : sure ? "wrong and nothing says so" : "wrong");
   QCOMPARE(got, outcome);
   QCOMPARE(knownSides(imported->scene).inDoubt(), !sure);

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <array>
 
-#include "model/import/plan/file_marks.h"
+#include "model/import/kinds/entry_names.h"
 #include "model/import/plan/reload.h"
 #include "model/scene_json/scene_json.h"
 #include "tests/model/import/molecules/entry_files.h"
@@ -88,6 +88,18 @@ class FileNamesTest : public QObject {
     for (const Node& node : scene.nodes())
       if (!node.isGroup())
         QCOMPARE(node.provenance.file.starts_with('#'), node.name != "liver");
+  }
+
+  /// Values of a label volume that nothing names are no one's, whatever number they are.
+  void valuesOfLabels() {
+    QByteArray text = volume();
+    text.replace(text.indexOf("uchar"), 5, "short");
+    text.replace(text.lastIndexOf('1'), 1, "699");
+    const QString file = m_top + "/4711/seg.nrrd";
+    writeText(file, text);
+    const auto result = importInputs(std::array{std::filesystem::path(file.toStdString())}, {});
+    QVERIFY(result.ok());
+    QCOMPARE(namesIn(result->scene).filter("label"), QStringList({"label 1", "label 699"}));
   }
 
   /// Programs title the solids of one file after files, too.
@@ -249,7 +261,7 @@ class FileNamesTest : public QObject {
         notes << QString::fromStdString(note);
       return notes.join('\n');
     };
-    QVERIFY2(told(false).contains("were left out of names: 4"), qPrintable(told(false)));
+    QVERIFY2(told(false).contains("left out of names: 4"), qPrintable(told(false)));
     QVERIFY(!told(true).contains("left out of names"));
   }
 

@@ -205,9 +205,13 @@ void BrainFilesTest::mghPlaces() {
       }
     }
   QTemporaryDir folder;
-  writeText(folder.filePath("head.mgh"),
-            mghFile(headAlong(alongLas), Number::uint8, {.placeKnown = false}));
-  QVERIFY(warningsOf(*importOf({inFolder(folder, "head.mgh")})).contains("which side is left"));
+  for (const int no : {0, -1}) {
+    writeText(folder.filePath("head.mgh"),
+              mghFile(headAlong(alongLas), Number::uint8, {.placeKnown = std::int16_t(no)}));
+    const Result<Imported> imported = importOf({inFolder(folder, "head.mgh")});
+    QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+    QVERIFY(warningsOf(*imported).contains("which side is left"));
+  }
 }
 
 void BrainFilesTest::mghNames() {

@@ -92,7 +92,7 @@ QByteArray mghFile(const WrittenVolume& volume, Number type, const MghForm& form
     set(bytes, 4 + 4 * i, std::int32_t(volume.size[i]), big);
   set(bytes, 16, std::int32_t(1), big);
   set(bytes, 20, std::int32_t(code), big);
-  set(bytes, 28, std::int16_t(form.placeKnown), big);
+  set(bytes, 28, form.placeKnown, big);
   const glm::dvec4 middle = volume.toLps * glm::dvec4(0.5 * glm::dvec3(volume.size), 1.0);
   for (int axis = 0; axis < 3; ++axis) {
     const double length = glm::length(glm::dvec3(volume.toLps[axis]));

@@ -27,8 +27,8 @@ struct AnalyzeForm {
 PairBytes analyzePair(const WrittenVolume& volume, const AnalyzeForm& form = {});
 
 struct MghForm {
-  bool placeKnown = true;
-  QByteArray footer;  ///< follows the numbers of the scan
+  std::int16_t placeKnown = 1;  ///< only what is above 0 says so
+  QByteArray footer;            ///< follows the numbers of the scan
 };
 QByteArray mghFile(const WrittenVolume& volume, Number type = Number::int32,
                    const MghForm& form = {});

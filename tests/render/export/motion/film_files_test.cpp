@@ -52,7 +52,7 @@ render::ExportOrder smallOrder() {
 
 render::ExportOrder labelledOrder() {
   render::ExportOrder order = smallOrder();
-  order.of<render::FilmOptions>().height = 108;
+  order.of<render::FilmOptions>().height = 128;
   order.camera.eye = order.camera.target + 2.0f * (order.camera.eye - order.camera.target);
   order.labels.mode = render::LabelMode::on;
   order.labels.points = 24.0f;
@@ -230,8 +230,8 @@ class FilmFilesTest : public QObject {
     QCOMPARE(int(with.frames.size()), 6);
     for (std::size_t i = 0; i < 6; ++i) {
       int ink = 0;
-      for (int y = 0; y < 108; ++y)
-        for (int x = 0; x < 192; ++x)
+      for (int y = 0; y < with.frames[i].height(); ++y)
+        for (int x = 0; x < with.frames[i].width(); ++x)
           ink += with.frames[i].pixelColor(x, y).lightness() < 140 &&
                  without.frames[i].pixelColor(x, y).lightness() == 255;
       QVERIFY2(ink > 40, qPrintable(QString::number(ink)));
@@ -241,8 +241,7 @@ class FilmFilesTest : public QObject {
   void marksAreThere() {
     const QTemporaryDir folder;
     render::ExportOrder order = smallOrder();
-    order.of<render::FilmOptions>().height = 108;
-    order.page.sizeMm = {80.0f, 45.0f};
+    order.of<render::FilmOptions>().height = 254;
     order.marks.sides = true;
     order.of<render::FilmOptions>().framesPerSecond = 20;
     QVERIFY(render::writeFrames(order, folder.filePath("with").toStdString(), {}).ok());
@@ -251,7 +250,7 @@ class FilmFilesTest : public QObject {
     // The left edge shows R, P, L and A: from the front, the patient's left, the back, the right.
     std::vector<QImage> letters;
     for (const std::size_t i : {0u, 3u, 6u, 9u}) {
-      letters.push_back(film.frames[i].copy(0, 40, 16, 28));
+      letters.push_back(film.frames[i].copy(0, 113, 16, 28));
       int ink = 0;
       for (int y = 0; y < 28; ++y)
         for (int x = 0; x < 16; ++x)

@@ -8,6 +8,7 @@
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/pdf/lesson.h"
+#include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/labels/screen.h"
 #include "render/lettering/typesetting.h"
@@ -100,6 +101,24 @@ class LessonTest : public QObject {
   std::unique_ptr<Typesetting> m_typesetting;
 
  private slots:
+  /// One name is enough for two mirror images, but the chambers of a heart have one each.
+  void namesOfPairs() {
+    ExportOrder order;
+    addBall(order.scene, {45, 0, 0}, 10.0f, "left kidney");
+    addBall(order.scene, {-45, 0, 4}, 10.0f, "right kidney");
+    addBall(order.scene, {16, 16, 60}, 10.0f, "left ventricle");
+    addBall(order.scene, {-16, -16, 60}, 10.0f, "right ventricle");
+    order.scene.setAnnotations({});
+    fitCamera(order);
+    order.of<SheetOptions>().kind = SheetKind::teaching;
+    const ExportOrder figure = sheetFigure(order);
+    QStringList named;
+    for (const model::Annotation& label : figure.scene.annotations())
+      named << QString::fromStdString(label.text);
+    QCOMPARE(named.filter("kidney").size(), 1);
+    QCOMPARE(named.filter("ventricle").size(), 2);
+  }
+
   void initTestCase() {
     Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
     QVERIFY(made.ok());

@@ -316,6 +316,20 @@ class PageQuizTest : public QObject {
     }
   }
 
+  /// How a name is written tells nothing: labels are a teacher's, other names come from files.
+  void choicesAreWrittenAlike() {
+    render::ExportOrder order = named({"Spleen", "left_kidney", "pancreas", "duodenum"});
+    std::vector<model::Annotation> labels = order.scene.annotations();
+    labels.resize(1);
+    order.scene.setAnnotations(labels);
+    const std::vector<json> questions = questionsOf(order, "choose");
+    QCOMPARE(questions.size(), std::size_t(1));
+    std::set<std::string> said;
+    for (const json& choice : questions.front()["choices"])
+      said.insert(choice["en"].get<std::string>());
+    QVERIFY(said == std::set<std::string>({"Spleen", "Left kidney", "Pancreas", "Duodenum"}));
+  }
+
   void neighboursAndKinFirst() {
     // In a grid of two columns the first two are neighbours; the artery is far off.
     render::ExportOrder order = named({"liver", "spleen", "stomach", "pancreas", "aorta"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/view_words.h"
+#include "app/cli/flags/view_words.h"
 
 #include <set>
 #include <utility>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/plan/file_marks.h"
+#include "model/import/naming/file_marks.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <regex>
 
 #include "model/base/letters.h"
 #include "model/import/kinds/file_kinds.h"
@@ -30,23 +29,6 @@ std::string checksum(const std::string& text) {
 std::string fileMark(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   return name.empty() || mayBeShown(stemOf(file)) ? name : '#' + checksum(name);
-}
-
-bool isEntryFile(const std::filesystem::path& file) {
-  const std::string stem = lowerCase(stemOf(file));
-  constexpr std::size_t longest = 64;  // titles have any length, and std::regex goes deep with it
-  if (stem.size() > longest)
-    return false;
-  static const std::regex entry(
-      "(?:[0-9](?=[a-z0-9]*[a-z])[a-z0-9]{3}|pdb_[0-9]{4}[0-9][a-z0-9]{3})(?:-assembly.*)?"
-      // An accession of UniProt, and which part of the protein.
-      "|af-(?:[opq][0-9][a-z0-9]{3}[0-9]|[a-nr-z][0-9](?:[a-z][a-z0-9]{2}[0-9]){1,2})"
-      "(?:-[0-9]+)?-f[0-9]+(?:-model_v[0-9]+)?");
-  return std::regex_match(stem, entry);
-}
-
-bool isOfEntry(const std::string& group) {
-  return isEntryFile(group.substr(0, std::min(group.find(" – "), group.rfind(", assembly "))));
 }
 
 std::string shownMoleculePart(const std::string& name) {

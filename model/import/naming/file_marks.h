@@ -13,14 +13,6 @@ namespace sline::model {
 std::string fileMark(const std::filesystem::path& file);
 /// Returns the same of the name that a surface has in its file.
 std::string partMark(const std::string& part);
-/// Tells whether the file is called by the id of a published entry: of the Protein Data Bank,
-/// "2src.cif.gz" or "pdb_00002src.cif", or one of its assemblies, "4hhb-assembly1.cif"; or of the
-/// AlphaFold Database, "AF-P69905-F1-model_v4.cif".
-bool isEntryFile(const std::filesystem::path& file);
-
-/// Tells whether a molecule's group, which its reader calls after file and title, is of such an
-/// entry: "2SRC – Human tyrosine kinase, assembly 1". Its names are public and no one's.
-bool isOfEntry(const std::string& group);
 /// Returns what may be shown of a name that a molecule's file gives one of its parts. Where that is
 /// not of words that may be shown, what the reader calls it is left: of "Chain A – Doe's kinase"
 /// "Chain A", of "Doe's drug (LIG)" "LIG". Names of elements stay.
