@@ -2,7 +2,9 @@
 #include "tests/arch/house.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
+#include <utility>
 
 namespace sline::arch {
 
@@ -86,7 +88,75 @@ Library libraryIn(const std::vector<std::string>& cells) {
   return library;
 }
 
+constexpr const char* tableHead = "| room | what it is for | may include |\n|---|---|---|\n";
+
+/// Describes a room as its CMakeLists.txt does.
+struct DeclaredRoom {
+  std::string path;
+  std::string about;
+  std::vector<std::string> mayUse;
+};
+
+std::size_t layerRank(const std::string& path) {
+  constexpr std::array layers{"model", "render", "app", "widgets"};
+  return std::size_t(std::find(layers.begin(), layers.end(), layerOf(path)) - layers.begin());
+}
+
+std::vector<DeclaredRoom> declaredIn(const File& list) {
+  static const std::regex declared(
+      R"re(sline_(room|widget_room|folder)\(\s*([\w.]+)[^"()]*ABOUT\s+"([^"]*)"(\s+MAY_USE((\s+(?!HEADERS|SOURCES|DEPENDS|PRIVATE)[\w./*]+)+))?)re");
+  const std::string home = list.path.substr(0, list.path.rfind('/'));
+  std::vector<DeclaredRoom> rooms;
+  for (std::sregex_iterator it(list.text.begin(), list.text.end(), declared), end; it != end;
+       ++it) {
+    DeclaredRoom& room = rooms.emplace_back();
+    room.path = (*it)[1] == "folder" ? home + "/" + (*it)[2].str() : home;
+    room.about = (*it)[3];
+    std::istringstream names((*it)[5].str());
+    for (std::string name; names >> name;)
+      room.mayUse.push_back(name);
+  }
+  return rooms;
+}
+
+/// Writes "all of model; render/lines, strokes": a name without a layer is of the layer before it.
+std::string cellOf(const std::vector<std::string>& mayUse) {
+  std::string layers;
+  std::string rooms;
+  std::string before;
+  for (const std::string& name : mayUse) {
+    const std::string layer = layerOf(name);
+    if (name == layer + "/*") {
+      layers += (layers.empty() ? "all of " : ", ") + layer;
+      continue;
+    }
+    rooms += (rooms.empty() ? "" : ", ") + (layer == before ? name.substr(layer.size() + 1) : name);
+    before = layer;
+  }
+  if (layers.empty() && rooms.empty())
+    return "nothing of ours";
+  return layers + (layers.empty() || rooms.empty() ? "" : "; ") + rooms;
+}
+
 }  // namespace
+
+std::string roomTable(const std::vector<File>& lists) {
+  std::vector<DeclaredRoom> rooms;
+  for (const File& list : lists)
+    for (DeclaredRoom& room : declaredIn(list))
+      rooms.push_back(std::move(room));
+  std::sort(rooms.begin(), rooms.end(), [](const DeclaredRoom& a, const DeclaredRoom& b) {
+    return std::pair(layerRank(a.path), a.path) < std::pair(layerRank(b.path), b.path);
+  });
+  std::string table = tableHead;
+  for (const DeclaredRoom& room : rooms)
+    table += "| " + room.path + " | " + room.about + " | " + cellOf(room.mayUse) + " |\n";
+  return table;
+}
+
+std::string withRoomTable(const std::string& architecture, const std::string& table) {
+  return architecture.substr(0, architecture.find(tableHead)) + table;
+}
 
 bool isUnder(const std::string& path, const std::string& folder) {
   return path == folder || path.starts_with(folder + "/");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads what ARCHITECTURE.md says of rooms and libraries from its tables: the rules have no list of
-// their own.
+// Reads what the CMakeLists.txt of rooms say of them, makes ARCHITECTURE.md's table of it, and
+// reads that and its table of libraries: the rules have no list of their own.
 #pragma once
 
 #include <map>
@@ -10,6 +10,12 @@
 #include <vector>
 
 namespace sline::arch {
+
+/// Holds a file of the tree: its path from the top, with '/', and its content.
+struct File {
+  std::string path;
+  std::string text;
+};
 
 /// Describes a folder of sources, or a single source, and the rooms that it may include besides
 /// itself.
@@ -31,6 +37,12 @@ struct House {
   std::vector<Library> libraries;
   std::set<std::string> largeFiles;  ///< files that may exceed the limits of size
 };
+
+/// Returns the table of rooms, made of what `sline_room` and `sline_folder` (CMakeLists.txt at the
+/// top) are given in these: what each is ABOUT, and what it MAY_USE.
+std::string roomTable(const std::vector<File>& lists);
+/// Returns the text with that table in place of its own, which ends it.
+std::string withRoomTable(const std::string& architecture, const std::string& table);
 
 /// Reads the tables under "| room | what it is for | may include |" and "| library | its headers |
 /// only in |" and the list under "Exceptions from the sizes".

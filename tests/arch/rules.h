@@ -11,12 +11,6 @@
 
 namespace sline::arch {
 
-/// Holds a file of the tree: its path from the top, with '/', and its content.
-struct File {
-  std::string path;
-  std::string text;
-};
-
 using Complaints = std::vector<std::string>;
 
 /// Checks that includes follow the tables of ARCHITECTURE.md: rooms, third-party libraries, no GL
