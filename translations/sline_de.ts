@@ -1871,6 +1871,18 @@
         <source>the names of the files tell of %1 bodies: %2</source>
         <translation>die Namen der Dateien sprechen von %1 Körpern: %2</translation>
     </message>
+    <message>
+        <source>another file of this name is not as it was read; name its folder if that one is meant</source>
+        <translation>eine andere Datei dieses Namens ist nicht so, wie sie gelesen wurde; nennen Sie deren Ordner, wenn jene gemeint ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 large now and was %3: its file may have another unit</source>
+        <translation>„%1“ ist jetzt %2 groß und war %3: die Datei kann eine andere Einheit haben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lies %2 away from where it was: it may be another body&apos;s, or mirrored</source>
+        <translation>„%1“ liegt %2 von der früheren Stelle entfernt: es kann von einem anderen Körper oder gespiegelt sein</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5773,6 +5785,17 @@
             <numerusform>Nach den Namen gehören diese Dateien zu %n Körper. Sollen sie eine Szene werden?</numerusform>
             <numerusform>Nach den Namen gehören diese Dateien zu %n Körpern. Sollen sie eine Szene werden?</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as what they name may lie on the other side: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung wird nicht abgefragt, da das Benannte auf der anderen Seite liegen kann: %1.</numerusform>
+            <numerusform>%n Beschriftungen werden nicht abgefragt, da das Benannte auf der anderen Seite liegen kann: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Say that names are right, or give it another name.</source>
+        <translation>Sagen Sie, dass Namen stimmen, oder geben Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>

@@ -213,6 +213,13 @@
             <numerusform>Names tell that these files are of %n bodies. Put them into one scene?</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as what they name may lie on the other side: %1.</source>
+        <translation>
+            <numerusform>%n label is not asked for, as what it names may lie on the other side: %1.</numerusform>
+            <numerusform>%n labels are not asked for, as what they name may lie on the other side: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

@@ -1871,6 +1871,18 @@
         <source>the names of the files tell of %1 bodies: %2</source>
         <translation>navnene på filene forteller om %1 kropper: %2</translation>
     </message>
+    <message>
+        <source>another file of this name is not as it was read; name its folder if that one is meant</source>
+        <translation>en annen fil med dette navnet er ikke som den ble lest; nevn mappen dens hvis det er den som menes</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 large now and was %3: its file may have another unit</source>
+        <translation>«%1» er nå %2 stor og var %3: filen kan ha en annen enhet</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lies %2 away from where it was: it may be another body&apos;s, or mirrored</source>
+        <translation>«%1» ligger %2 fra der den var: den kan være fra en annen kropp eller speilvendt</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5773,6 +5785,17 @@
             <numerusform>Navnene forteller at disse filene hører til %n kropp. Skal de bli én scene?</numerusform>
             <numerusform>Navnene forteller at disse filene hører til %n kropper. Skal de bli én scene?</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as what they name may lie on the other side: %1.</source>
+        <translation>
+            <numerusform>%n etikett blir ikke spurt etter, da det den navngir kan ligge på den andre siden: %1.</numerusform>
+            <numerusform>%n etiketter blir ikke spurt etter, da det de navngir kan ligge på den andre siden: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Say that names are right, or give it another name.</source>
+        <translation>Si at navnene er riktige, eller gi det et annet navn.</translation>
     </message>
 </context>
 <context>

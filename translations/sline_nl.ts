@@ -1871,6 +1871,18 @@
         <source>the names of the files tell of %1 bodies: %2</source>
         <translation>de namen van de bestanden wijzen op %1 lichamen: %2</translation>
     </message>
+    <message>
+        <source>another file of this name is not as it was read; name its folder if that one is meant</source>
+        <translation>een ander bestand met deze naam is niet zoals het gelezen werd; noem de map ervan als dat bedoeld is</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 large now and was %3: its file may have another unit</source>
+        <translation>“%1” is nu %2 groot en was %3: het bestand kan een andere eenheid hebben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lies %2 away from where it was: it may be another body&apos;s, or mirrored</source>
+        <translation>“%1” ligt %2 van de plaats waar het was: het kan van een ander lichaam zijn, of gespiegeld</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5773,6 +5785,17 @@
             <numerusform>Volgens de namen horen deze bestanden bij %n lichaam. In één scène zetten?</numerusform>
             <numerusform>Volgens de namen horen deze bestanden bij %n lichamen. In één scène zetten?</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as what they name may lie on the other side: %1.</source>
+        <translation>
+            <numerusform>Naar %n label wordt niet gevraagd, omdat het benoemde aan de andere kant kan liggen: %1.</numerusform>
+            <numerusform>Naar %n labels wordt niet gevraagd, omdat het benoemde aan de andere kant kan liggen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Say that names are right, or give it another name.</source>
+        <translation>Zeg dat de namen kloppen, of geef het een andere naam.</translation>
     </message>
 </context>
 <context>

@@ -48,9 +48,10 @@ void report(const model::Reloaded& reloaded, bool dryRun) {
     warn(warning.file + ": " + warning.reason);
 }
 
-bool anyFailed(const model::Reloaded& reloaded) {
+bool anyStays(const model::Reloaded& reloaded) {
   return std::any_of(reloaded.files.begin(), reloaded.files.end(), [](const auto& file) {
-    return file.fate == model::ReloadedFile::Fate::failed;
+    return file.fate == model::ReloadedFile::Fate::failed ||
+           file.fate == model::ReloadedFile::Fate::absent;
   });
 }
 
@@ -73,7 +74,7 @@ Exit reloadInto(const ReloadFlags& flags, const model::FileLock* lock) {
     if (const Status written = model::writeSceneFile(*lock, *document); !written.ok())
       return complain(written.error(), Exit::failed);
   }
-  return anyFailed(reloaded) ? Exit::failed : Exit::done;
+  return anyStays(reloaded) ? Exit::failed : Exit::done;
 }
 
 Exit runReload(const ReloadFlags& flags) {
@@ -113,9 +114,8 @@ void declareReload(CLI::App& command, ReloadFlags& flags) {
       "A file is found by its name and known by its length and checksum. One that has changed is\n"
       "read again, in the frame and unit and with the smoothing it was imported with; names, "
       "styles,\n"
-      "views and sections stay, annotations go to the nearest point of the new surface. What "
-      "cannot\n"
-      "be read stays as it is in the scene, and the exit code is 1.\n\n"
+      "views and sections stay, annotations go to the nearest point of the new surface. What is\n"
+      "not found or cannot be read stays as it is in the scene, and the exit code is 1.\n\n"
       "  sline reload pelvis.sline --from segmentation/ --dry-run");
 }
 

@@ -2,7 +2,6 @@
 #include "model/scene/question.h"
 
 #include <algorithm>
-#include <random>
 #include <set>
 #include <utility>
 
@@ -57,6 +56,18 @@ std::string wordsOfQuestion(const Annotation& annotation, const std::string& lan
 
 }  // namespace
 
+std::string sharedName(const Scene& scene, const std::string& text) {
+  const std::size_t at = text.find_last_not_of("0123456789");
+  if (at == std::string::npos || at + 1 == text.size() || text[at] != ' ')
+    return text;
+  const std::string shared = text.substr(0, at);
+  const auto& nodes = scene.nodes();
+  const bool known = std::any_of(nodes.begin(), nodes.end(), [&shared](const Node& node) {
+    return !node.isGroup() && node.name == shared;
+  });
+  return known ? shared : text;
+}
+
 std::vector<Question> questionsOf(const Scene& scene, const std::string& language,
                                   const QuestionChoice& choice) {
   const QuestionFilter filter(scene, choice);
@@ -64,7 +75,7 @@ std::vector<Question> questionsOf(const Scene& scene, const std::string& languag
   for (const Annotation& annotation : scene.annotations()) {
     if (!filter.asks(annotation))
       continue;
-    const std::string words = wordsOfQuestion(annotation, language);
+    const std::string words = sharedName(scene, wordsOfQuestion(annotation, language));
     if (words.find_first_not_of(" \t\r\n") == std::string::npos)
       continue;
     auto same = std::find_if(questions.begin(), questions.end(),
@@ -88,18 +99,6 @@ Scene withQuestionsAlone(const Scene& scene, const std::vector<Question>& questi
   Scene alone = scene;
   alone.setAnnotations(std::move(annotations));
   return alone;
-}
-
-std::vector<std::string> wordBank(const std::vector<std::string>& answers) {
-  std::vector<std::string> bank = answers;
-  // From the alphabet's order, so that the order of the answers leaves no trace.
-  std::sort(bank.begin(), bank.end());
-  std::mt19937 random(20011);
-  for (std::size_t i = bank.size(); i > 1; --i)
-    std::swap(bank[i - 1], bank[random() % i]);
-  for (std::size_t i = 1; i < bank.size() && bank == answers; ++i)
-    std::rotate(bank.begin(), bank.begin() + 1, bank.end());
-  return bank;
 }
 
 }  // namespace sline::model

@@ -28,18 +28,18 @@ struct QuestionChoice {
   bool inSpace = false;   ///< so are labels on no structure, where all are asked for
 };
 
+/// Returns the text without a number at its end where a structure is called so without it: import
+/// counts so what several files call the same ("portal vein", "portal vein 2").
+std::string sharedName(const Scene& scene, const std::string& text);
+
 /// Returns a question for each thing that visible labels and pins name on visible structures, in
 /// the order of the annotations and in that language, or those ("de+la"). Things of one name are
-/// one question. What has a name that is in doubt is not asked for. Callouts explain, so they are
-/// not asked for unless they are chosen; distances never are.
+/// one question (`sharedName`). What has a name that is in doubt is not asked for. Callouts
+/// explain, so they are not asked for unless they are chosen; distances never are.
 std::vector<Question> questionsOf(const Scene& scene, const std::string& language,
                                   const QuestionChoice& choice = {});
 
 /// Returns the scene with the labels of the questions as its only visible annotations.
 Scene withQuestionsAlone(const Scene& scene, const std::vector<Question>& questions);
-
-/// Returns the answers in an order by chance, which is the same each time, for people to choose
-/// from. It is not the order in which they were given, unless all are the same.
-std::vector<std::string> wordBank(const std::vector<std::string>& answers);
 
 }  // namespace sline::model

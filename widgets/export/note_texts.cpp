@@ -99,6 +99,9 @@ QString fact(const render::ExportNote& note) {
     case Kind::labelsNotAsked:
       return tr("%n labels are not asked for, as one does not see there what is named: %1.",
                 nullptr, count);
+    case Kind::labelsDoubted:
+      return tr("%n labels are not asked for, as what they name may lie on the other side: %1.",
+                nullptr, count);
     case Kind::marksWithoutRoom:
       return tr("At the picture's edge there is no room for: %1.");
     case Kind::legendWithoutRoom:
@@ -136,6 +139,8 @@ QString remedy(render::ExportNote::Kind kind) {
     case Kind::labelsHidden:
     case Kind::labelsNotAsked:
       return tr("Choose a view that shows it, or draw less of what is before it.");
+    case Kind::labelsDoubted:
+      return tr("Say that names are right, or give it another name.");
     case Kind::labelsOnAnatomy:
       return tr("Choose a view that leaves some, a larger page or smaller letters.");
     case Kind::pictureFramed:

@@ -27,13 +27,12 @@ Result<LoadedDocument> loadedDocument(Result<ReadDocument> read, const QString& 
 }
 
 QStringList remarksOf(const model::Reloaded& reloaded) {
-  using Fate = model::ReloadedFile::Fate;
   QStringList remarks;
   const auto renewed = int(reloaded.meshes.size());
   remarks << (renewed == 0 ? Session::tr("No file that could be read again has changed")
                            : Session::tr("%n structures were read again", nullptr, renewed));
   for (const model::ReloadedFile& file : reloaded.files)
-    if (file.fate == Fate::absent || file.fate == Fate::failed)
+    if (!file.reason.empty())
       remarks << QString::fromStdString(file.file + ": " + file.reason);
   for (const model::ImportWarning& warning : reloaded.warnings)
     remarks << QString::fromStdString(warning.file + ": " + warning.reason);

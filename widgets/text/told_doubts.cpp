@@ -70,6 +70,13 @@ constexpr const char* doubtRows[] = {
                       "files of one patient lie in different frames of reference: nothing says "
                       "that what is laid over each other fits"),
     QT_TRANSLATE_NOOP("Told", "it is of another patient than the other files now"),
+    QT_TRANSLATE_NOOP("Told",
+                      "another file of this name is not as it was read; name its folder if that "
+                      "one is meant"),
+    QT_TRANSLATE_NOOP("Told", "\"%1\" is %2 large now and was %3: its file may have another unit"),
+    QT_TRANSLATE_NOOP("Told",
+                      "\"%1\" lies %2 away from where it was: it may be another body's, or "
+                      "mirrored"),
     QT_TRANSLATE_NOOP("Told", "the files are of %1 patients: %2"),
     QT_TRANSLATE_NOOP("Told", "the names of the files tell of %1 bodies: %2"),
     QT_TRANSLATE_NOOP(

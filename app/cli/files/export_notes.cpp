@@ -65,6 +65,10 @@ std::string askedText(const render::ExportNote& note) {
     return counted(count, "label is", "labels are") +
            " not asked for, as one does not see there what is named" + names +
            "Choose a view that shows it, or draw less of what is before it";
+  if (note.kind == render::ExportNote::Kind::labelsDoubted)
+    return counted(count, "label is", "labels are") +
+           " not asked for, as what is named may lie on the other side" + names +
+           "Say that names are right with --sides right, or give it another name";
   return counted(count, "label", "labels") + " found no room and " + (count == 1 ? "has" : "have") +
          " no card" + names + "Take a larger page (--size-mm) or smaller letters (--label-size)";
 }
@@ -154,6 +158,7 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::labelsUntranslated:
       return labelsText(note);
     case Kind::labelsNotAsked:
+    case Kind::labelsDoubted:
     case Kind::cardsWithoutRoom:
       return askedText(note);
     case Kind::creditsLeftOut:

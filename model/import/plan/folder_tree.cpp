@@ -84,11 +84,12 @@ class GroupNames {
  public:
   explicit GroupNames(bool keepNames) : m_keep(keepNames) {}
 
-  std::string ofFolder(const std::string& folder) {
-    const std::size_t before = m_names.size();
-    std::string name = of(readableName(folder));
-    m_folders += m_names.size() - before;
-    return name;
+  std::string ofFolder(const std::string& folder) { return of(readableName(folder)); }
+  /// Names what was given whole, which is a group of several alone.
+  std::string ofGiven(const std::string& folder) {
+    const std::string given = readableName(folder);
+    m_whole.insert(given);
+    return of(given);
   }
   /// Names the group of a molecule, which its reader calls after the file and the title in it:
   /// "2SRC – Human tyrosine kinase, assembly 1". Entries of the Protein Data Bank are no one's.
@@ -115,13 +116,18 @@ class GroupNames {
       name = shown.empty() ? other + ' ' + std::to_string(number) : withCounter(shown, number);
     return known->second = name;
   }
-  /// Tells how many names are not whole, beside those of folders, which tell nothing of a
-  /// structure.
-  std::size_t cut() const { return m_names.size() - m_folders; }
+  /// Returns the names that are not whole, beside those of what was given.
+  std::vector<std::string> cut() const {
+    std::vector<std::string> names;
+    for (const auto& [given, name] : m_names)
+      if (!m_whole.contains(given))
+        names.push_back(given);
+    return names;
+  }
 
  private:
   bool m_keep;
-  std::size_t m_folders = 0;  ///< of the names those of folders
+  std::set<std::string> m_whole;  ///< names of what was given
   std::map<std::string, std::string> m_names;
   std::set<std::string> m_taken;
 };
@@ -144,7 +150,7 @@ class Builder {
           tops.size() > 1 && !top.name.empty() && (top.groups.size() + top.parts.size() > 1);
       add(top, rootId, wrap);
     }
-    m_built.namesCut = m_groups.cut();
+    m_built.cutNames = m_groups.cut();
     return std::move(m_built);
   }
 
@@ -172,7 +178,7 @@ class Builder {
     Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
-      top.name = m_groups.ofFolder(folderName(source.path));
+      top.name = m_groups.ofGiven(folderName(source.path));
     // Folders of medical images are named after patients; the scene must not know the names.
     if (const auto kept =
             std::find_if(members.begin(), members.end(),
@@ -220,7 +226,7 @@ class Builder {
       branches.push_back(
           {m_groups.of(group.name), group.style, {}, {}, std::pair(index, branches.size())});
     Branch top;
-    top.name = m_groups.ofFolder(source.path.stem().string());
+    top.name = m_groups.ofGiven(source.path.stem().string());
     for (const std::size_t part : members) {
       const auto group = source.scene->models[*fileOf(part).model].group;
       (group ? branches[*group] : top).parts.push_back(part);

@@ -18,7 +18,7 @@ struct BuiltScene {
                                                                  ///< group in it
   std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
   std::map<NodeId, std::size_t> numbers;                         ///< Part::number of each structure
-  std::size_t namesCut = 0;  ///< groups from whose names words were left out
+  std::vector<std::string> cutNames;  ///< of groups, from which words were left out
 };
 
 /// Builds the scene. A scene keeps its own groups. A folder's groups are its sub-folders, else

@@ -14,10 +14,10 @@
 #include "model/focus/twins.h"
 #include "model/import/kinds/entry_names.h"
 #include "model/import/naming/file_marks.h"
+#include "model/import/naming/implausible_sizes.h"
 #include "model/import/naming/other_sides.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_decision.h"
-#include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
@@ -82,13 +82,17 @@ namespace {
 /// Says how many names are not whole, and which words they lack. They are for who gives the files;
 /// neither the scene nor what is made of it has them.
 void tellCutNames(std::size_t count, const std::vector<Part>& parts,
-                  std::vector<std::string>& notes) {
+                  const std::vector<std::string>& groups, std::vector<std::string>& notes) {
   constexpr std::size_t mostTold = 5;
   if (count == 0)
     return;
-  std::vector<std::string> words;
+  std::vector<std::string> names = groups;
   for (const Part& part : parts)
-    for (std::string& word : part.nameCut ? wordsNotShown(part.given) : std::vector<std::string>())
+    if (part.nameCut)
+      names.push_back(part.given);
+  std::vector<std::string> words;
+  for (const std::string& name : names)
+    for (std::string& word : wordsNotShown(name))
       if (std::find(words.begin(), words.end(), word) == words.end())
         words.push_back(std::move(word));
   std::string text = "words and numbers of no anatomy, maybe a person's, left out of names: " +
@@ -219,20 +223,22 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                       const ImportOptions& options) {
   BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable(), options.keepFileNames);
   const auto numbers = std::move(built.numbers);
-  const std::size_t cut =
-      built.namesCut + std::size_t(std::count_if(decided.parts.begin(), decided.parts.end(),
-                                                 [](const Part& part) { return part.nameCut; }));
+  const std::size_t cut = built.cutNames.size() +
+                          std::size_t(std::count_if(decided.parts.begin(), decided.parts.end(),
+                                                    [](const Part& part) { return part.nameCut; }));
+  std::vector<std::string> cutNames = std::move(built.cutNames);
   FurnishedScene furnished = withViewsAndAnnotations(std::move(built), read.sources, options);
   Imported imported{.scene = std::move(furnished.scene), .report = decided.report};
   const std::size_t namesCut = cut + furnished.namesCut;
-  tellCutNames(namesCut, decided.parts, imported.report.notes);
+  tellCutNames(namesCut, decided.parts, cutNames, imported.report.notes);
   imported.scene.setTraces(read.traces);
   const NewIds ids = putScenesBefore(imported, read, options);
   ImportPlan plan{.inputs = read.inputs,
                   .options = options,
                   .scene = std::move(imported.scene),
                   .report = std::move(imported.report),
-                  .namesCut = namesCut};
+                  .namesCut = namesCut,
+                  .cutNames = std::move(cutNames)};
   for (const auto& [id, number] : numbers)
     plan.parts[ids.at(id)] = number;
   return plan;
@@ -263,7 +269,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   if (meter.cancelled())
     return cancelled();
   std::vector<std::string> cutNames;
-  tellCutNames(plan.namesCut, parts, cutNames);
+  tellCutNames(plan.namesCut, parts, plan.cutNames, cutNames);
   const bool wanted = std::any_of(parts.begin(), parts.end(),
                                   [](const Part& part) { return !part.choice.skipped; });
   std::erase_if(parts, [](const Part& part) { return part.choice.skipped; });

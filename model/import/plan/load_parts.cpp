@@ -180,7 +180,7 @@ PartName shownOf(const std::string& name, bool whole) {
 /// Tells whether the name is only the value of a label volume's voxels, which is no one's.
 bool isLabelValue(const RawMesh& raw) {
   constexpr std::string_view word = "label ";
-  constexpr std::size_t mostDigits = 5;  // FreeSurfer's tables end at 14175
+  constexpr std::size_t mostDigits = 10;  // of 32 bits
   return raw.voxelVolume && raw.name.starts_with(word) && raw.name.size() > word.size() &&
          raw.name.size() <= word.size() + mostDigits &&
          std::all_of(raw.name.begin() + std::ptrdiff_t(word.size()), raw.name.end(), isDigit);

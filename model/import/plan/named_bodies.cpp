@@ -7,11 +7,12 @@
 #include <map>
 #include <string>
 
+#include "model/anatomy/kin_names.h"
 #include "model/anatomy/shown_names.h"
 #include "model/base/letters.h"
 #include "model/import/kinds/entry_names.h"
 #include "model/import/kinds/file_kinds.h"
-#include "model/import/naming/named_sex.h"
+#include "model/import/naming/named_body.h"
 #include "model/import/naming/names.h"
 
 namespace sline::model {
@@ -63,7 +64,17 @@ class OwnersWords {
   std::map<std::string, std::set<std::string>> m_folders;  ///< as many files lie in each
 };
 
-/// Tells whether two bodies have so much in common that they are two.
+/// Tells whether the words may be a first name and a last one that stand before several organs, as
+/// a person's do and a structure's own do not.
+bool isWholeName(const std::vector<std::string>& words, const NamedBody& body) {
+  constexpr std::size_t several = 2;
+  std::set<std::string> organs;
+  for (const std::string& organ : body.organs)
+    organs.insert(kinName(organ).pair);
+  return words.size() >= several && organs.size() >= several;
+}
+
+/// Tells whether two bodies have so much in common that they are two, or are of two persons.
 bool areTwo(const std::set<std::string>& one, const NamedBody& a,
             const std::set<std::string>& other, const NamedBody& b) {
   constexpr std::ptrdiff_t surely = 2;
@@ -81,34 +92,40 @@ bool areTwo(const std::set<std::string>& one, const NamedBody& a,
   const auto names = [](const std::vector<std::string>& words) {
     return std::all_of(words.begin(), words.end(), isWrittenLikeAName);
   };
-  return twice >= surely || (twice > 0 && names(ones) && names(others));
+  if (!names(ones) || !names(others))
+    return twice >= surely;
+  return twice > 0 || (isWholeName(ones, a) && isWholeName(others, b));
 }
 
-/// Returns the files that names say are of a woman and those of a man, where there are both.
-std::vector<PatientFiles> bodiesBySex(const Sources& sources, const std::set<fs::path>& marked) {
-  std::array<PatientFiles, 2> bodies;
+/// Returns the files by what names of them or of their folders, the nearest first, say of the body,
+/// where they say different things; those of which nothing is said are of any.
+std::vector<PatientFiles> bodiesSaid(const Sources& sources, const std::set<fs::path>& marked,
+                                     std::string (*said)(std::string_view)) {
+  std::map<std::string, PatientFiles> bodies;
   for (const SourceFile& file : sources.files) {
     if (file.model || file.slice || marked.contains(file.file))
       continue;
-    NamedSex sex = sexInName(stemOf(file.file));
-    if (sex == NamedSex::none)
-      sex = sexInName(file.file.parent_path().filename().string());
-    for (auto folder = file.folders.rbegin();
-         folder != file.folders.rend() && sex == NamedSex::none; ++folder)
-      sex = sexInName(*folder);
-    if (sex != NamedSex::none)
-      bodies[sex == NamedSex::female ? 0 : 1].files.push_back(file.file);
+    std::string of = said(stemOf(file.file));
+    if (of.empty())
+      of = said(file.file.parent_path().filename().string());
+    for (auto folder = file.folders.rbegin(); folder != file.folders.rend() && of.empty(); ++folder)
+      of = said(*folder);
+    if (!of.empty())
+      bodies[of].files.push_back(file.file);
   }
-  if (bodies[0].files.empty() || bodies[1].files.empty())
-    return {};
-  return {bodies.begin(), bodies.end()};
+  std::vector<PatientFiles> apart;
+  for (auto& [of, files] : bodies)
+    if (bodies.size() > 1)
+      apart.push_back(std::move(files));
+  return apart;
 }
 
 }  // namespace
 
 std::vector<PatientFiles> bodiesByName(const Sources& sources, const std::set<fs::path>& marked) {
-  if (std::vector<PatientFiles> sexes = bodiesBySex(sources, marked); !sexes.empty())
-    return sexes;
+  for (const auto said : {sexInName, numberInName})
+    if (std::vector<PatientFiles> bodies = bodiesSaid(sources, marked, said); !bodies.empty())
+      return bodies;
   using Bodies = std::map<std::set<std::string>, NamedBody>;
   Bodies bodies;
   OwnersWords owners;
@@ -144,6 +161,10 @@ std::vector<PatientFiles> bodiesByName(const Sources& sources, const std::set<fs
         if (areTwo(one, a, other, b))
           several[who[i]] = several[who[k]] = true;
       }
+  for (std::size_t i = 0; i < order.size() && order.size() <= mostPatients; ++i)
+    for (std::size_t k = i + 1; k < order.size(); ++k)
+      if (areTwo(order[i]->first, order[i]->second, order[k]->first, order[k]->second))
+        several[i] = several[k] = true;
   std::vector<PatientFiles> apart;
   for (std::size_t i = 0; i < order.size(); ++i)
     if (several[i])

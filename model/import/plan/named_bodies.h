@@ -15,7 +15,8 @@ namespace sline::model {
 /// Returns the files of each body that names tell apart, two or more, in the order of the files;
 /// nothing where they may all be of one: one organ that comes twice may be two versions of it,
 /// unless what differs is written as persons' names are;
-/// organs of a woman and of a man, as names say, are of two whatever they are. Files that say
+/// what stands under two persons' first and last names, under two numbers of patients or, as names
+/// say, is of a woman and of a man, is of two whatever it is. Files that say
 /// themselves whose they are
 /// (`marked`) are passed over, and so are molecules' entries and what scenes of 3D Slicer name.
 std::vector<PatientFiles> bodiesByName(const Sources& sources,

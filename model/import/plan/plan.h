@@ -46,6 +46,7 @@ struct ImportPlan {
   std::map<NodeId, std::size_t> parts = {};  ///< index of the part that each structure is
   std::shared_ptr<const ReadInputs> read = nullptr;
   std::size_t namesCut = 0;  ///< names from which words were left out that may be a person's
+  std::vector<std::string> cutNames = {};  ///< those of groups, whole: for who gives the files
 
   /// Returns the choices made for the node; as the options say where there are none.
   StructureChoice choiceOf(NodeId id) const;

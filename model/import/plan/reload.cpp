@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 
@@ -19,6 +21,7 @@
 #include "model/meshing/repair.h"
 #include "model/scene/measured_extent.h"
 #include "model/scene/scene_limits.h"
+#include "model/scene/told_length.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
@@ -30,6 +33,8 @@ using Fate = ReloadedFile::Fate;
 
 /// Limits the files below a folder that are looked at: a search in a whole disk ends.
 constexpr std::size_t mostFiles = 200'000;
+constexpr const char* otherOfThisName =
+    "another file of this name is not as it was read; name its folder if that one is meant";
 /// It is said where more than this share of what was painted is lost.
 constexpr float muchPaint = 0.05f;
 
@@ -225,12 +230,15 @@ class Reloader {
   Compared compareFiles(const Origin& origin, const std::set<fs::path>& files,
                         const std::vector<Origin>& origins) const {
     std::vector<std::pair<fs::path, Fingerprint>> changed;
+    std::optional<Compared> unchanged;
     for (const fs::path& file : files) {
       const Result<Fingerprint> now = fingerprintOfFile(file);
       if (!now)
         return {Fate::failed, now.error().reason};
-      if (*now == origin.fingerprint)
-        return {Fate::unchanged, {}, file, *now};
+      if (*now == origin.fingerprint) {
+        unchanged = {Fate::unchanged, {}, file, *now};
+        continue;
+      }
       // A file from which another structure of the same file name came is not meant.
       const bool another = std::any_of(origins.begin(), origins.end(), [&](const Origin& o) {
         return o.file == origin.file && o.fingerprint == *now;
@@ -238,6 +246,10 @@ class Reloader {
       if (!another)
         changed.emplace_back(file, *now);
     }
+    if (unchanged && !changed.empty())
+      unchanged->reason = otherOfThisName;
+    if (unchanged)
+      return *unchanged;
     if (changed.empty())
       return {Fate::absent, "only files that other structures came from were found"};
     const auto rivals = std::count_if(origins.begin(), origins.end(),
@@ -334,6 +346,7 @@ class Reloader {
     Result<MeshPtr> mesh = repeatImport(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
+    doubtOtherSize(node, **mesh, origin.shown, as);
     PaintPtr paint = repainted(node, *mesh, origin.shown);
     m_result.meshes.push_back({.structure = node.id,
                                .before = node.mesh,
@@ -342,6 +355,30 @@ class Reloader {
                                .paintBefore = node.paint,
                                .paint = std::move(paint)});
     tell(alone, Fate::replaced);
+  }
+
+  /// Warns where the new surface is of another size or lies elsewhere than the one before, as one
+  /// of another unit, another body or another organ does.
+  void doubtOtherSize(const Node& node, const Mesh& now, const std::string& file, Provenance& as) {
+    constexpr float otherUnit = 4.0f;
+    const Box before = node.mesh->bounds();
+    const Box after = now.bounds();
+    const float was = glm::length(before.size());
+    const float is = glm::length(after.size());
+    const auto length = [](float mm) { return toldLength(double(mm), DrawnUnit::millimetre); };
+    if (is > otherUnit * was || was > otherUnit * is) {
+      as.unitEvidence = Evidence::conflict;
+      m_result.warnings.push_back({file, "\"" + node.name + "\" is " + length(is) +
+                                             " large now and was " + length(was) +
+                                             ": its file may have another unit"});
+    } else if (const float gap = glm::length(glm::max(
+                   glm::max(before.low - after.high, after.low - before.high), glm::vec3(0.0f)));
+               gap > 0.0f) {
+      m_result.warnings.push_back(
+          {file, "\"" + node.name + "\" lies " + length(gap) +
+                     " away from where it was: it may be another body's, or "
+                     "mirrored"});
+    }
   }
 
   /// Returns what is painted on the structure, on its new mesh.

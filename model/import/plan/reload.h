@@ -50,7 +50,8 @@ struct Reloaded {
 /// names, styles, sections and views stay; annotations on a surface go to the nearest point of the
 /// new one, and so does what was painted; a warning says where much of that is lost. Of a file with
 /// several surfaces each structure takes the one of its name. Where several files have the name,
-/// one that is unchanged counts; else it is an error, as it is not known which is meant. A file
+/// one that is unchanged counts, with the others as its `reason`; else it is an error, as it is not
+/// known which is meant. What is far larger or smaller than before has a doubted unit. A file
 /// that has become another patient's than the others is not read, unless they are wanted together.
 Reloaded reload(const Scene& scene, std::span<const std::filesystem::path> places,
                 const ReadOptions& options = {}, PatientsWanted patients = PatientsWanted::one);

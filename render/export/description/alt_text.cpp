@@ -24,6 +24,7 @@ class Describing {
   Describing(const ExportOrder& order, std::size_t mostWords)
       : m_order(order),
         m_facts(pictureFacts(order)),
+        m_sides(knownSides(order.scene)),
         m_language(model::firstLanguage(order.labels.language)),
         m_words(descriptionTable(m_language)),
         m_left(mostWords) {}
@@ -65,12 +66,17 @@ class Describing {
     return true;
   }
 
+  /// Returns the mark of a side of which nobody is sure.
+  QString doubtOf(model::AnatomicalView side) const {
+    return m_sides.inDoubt(model::axisOf(side)) ? QLatin1String(model::doubtMark) : QString();
+  }
+
   void addFirst(bool named) {
     const std::size_t all = m_facts.structures.size();
     QString first = all == 1 ? told(m_words.one) : told(m_words.many).arg(all);
     QStringList from;
     for (const model::AnatomicalView side : m_facts.from)
-      from << told(m_words.from[std::size_t(side)]);
+      from << told(m_words.from[std::size_t(side)]) + doubtOf(side);
     if (!from.empty())
       first = told(m_words.seen).arg(first, listed(from, m_words));
     const auto labelled =
@@ -83,12 +89,12 @@ class Describing {
 
   void addEdge(const char* sentence, const std::optional<model::AnatomicalView>& side) {
     if (side)
-      add(told(sentence).arg(told(m_words.ends[std::size_t(*side)])));
+      add(told(sentence).arg(told(m_words.ends[std::size_t(*side)]) + doubtOf(*side)));
   }
 
   void addSections() {
     const std::vector<const model::Section*> sections = sectionsSeen(m_order.scene);
-    const MarkWords words(m_language, knownSides(m_order.scene));
+    const MarkWords words(m_language, m_sides);
     constexpr std::size_t single = 2;
     if (sections.size() > single)
       add(words.sections(sections.size()) + QLatin1Char('.'));
@@ -176,6 +182,7 @@ class Describing {
 
   const ExportOrder& m_order;
   PictureFacts m_facts;
+  model::KnownSides m_sides;
   std::string m_language;
   const DescriptionTable& m_words;
   std::size_t m_left;  ///< words that may still be said

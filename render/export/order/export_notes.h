@@ -37,6 +37,7 @@ struct ExportNote {
     pageSimplified,      ///< `detail`: by how many millimetres surfaces are off at most
     quizEmpty,           ///< there is nothing that its questions could ask for
     labelsNotAsked,      ///< one does not see enough of what they name; `names`: their texts
+    labelsDoubted,       ///< not asked for, as they may lie on the other side; `names`: their texts
     creditsLeftOut,      ///< surfaces come under terms that want their credit beside them, and the
                          ///< file has none; `names`: the credits
     subtitlesEmpty       ///< no view says anything

@@ -4,6 +4,8 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <array>
+#include <random>
+#include <utility>
 
 namespace sline::render {
 
@@ -71,6 +73,18 @@ std::vector<model::Question> questionsOf(const ExportOrder& order) {
                              .names = askedNames(order),
                              .callouts = test.callouts,
                              .inSpace = true});
+}
+
+std::vector<std::string> shuffledWords(const std::vector<std::string>& answers) {
+  std::vector<std::string> bank = answers;
+  // From the alphabet's order, so that the order of the answers leaves no trace.
+  std::sort(bank.begin(), bank.end());
+  std::mt19937 random(20011);
+  for (std::size_t i = bank.size(); i > 1; --i)
+    std::swap(bank[i - 1], bank[random() % i]);
+  for (std::size_t i = 1; i < bank.size() && bank == answers; ++i)
+    std::rotate(bank.begin(), bank.begin() + 1, bank.end());
+  return bank;
 }
 
 ExportOrder askedAlone(const ExportOrder& order, const std::vector<model::Question>& questions) {

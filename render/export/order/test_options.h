@@ -34,4 +34,8 @@ std::vector<model::Question> questionsOf(const ExportOrder& order);
 /// Returns the order with the labels of those questions alone.
 ExportOrder askedAlone(const ExportOrder& order, const std::vector<model::Question>& questions);
 
+/// Returns the answers in an order by chance, which is the same each time, for people to choose
+/// from. It is not the order in which they were given, unless all are the same.
+std::vector<std::string> shuffledWords(const std::vector<std::string>& answers);
+
 }  // namespace sline::render

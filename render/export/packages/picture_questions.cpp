@@ -72,7 +72,7 @@ class NameSource {
  public:
   explicit NameSource(const ExportOrder& order)
       : m_order(ofOneView(order)),
-        m_words(m_order, {}),
+        m_words(wordsOf(m_order)),
         m_asked(askedThings(m_order, m_words)),
         m_distractors(m_order, m_words, m_asked) {}
 
@@ -92,6 +92,12 @@ class NameSource {
   }
 
  private:
+  static PageWords wordsOf(const ExportOrder& order) {
+    PageWords words(order, {});
+    if (order.labels.language.empty())
+      words.keepNames();
+    return words;
+  }
   static ExportOrder ofOneView(const ExportOrder& order) {
     ExportOrder one = order;
     one.scene.setViews({});

@@ -7,11 +7,11 @@
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/order/test_options.h"
-#include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/marks.h"
+#include "render/lettering/patient_text.h"
 
 namespace sline::render {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
@@ -12,6 +11,7 @@
 #include "render/export/plate/legend.h"
 #include "render/export/plate/shown_questions.h"
 #include "render/lettering/label_texts.h"
+#include "render/lettering/patient_text.h"
 
 namespace sline::render {
 
@@ -155,7 +155,7 @@ void SheetSetter::setWordBank(const SheetRows& rows) {
   setRow(*m_pages, {.kind = RowKind::heading, .text = QString::fromUtf8(m_words.wordBank)},
          frames.first.low, frames.first.size().x);
   frames.first.low.y += heading;
-  setRows(rows.words, frames, {.numbers = m_answers, .words = model::wordBank(answers)});
+  setRows(rows.words, frames, {.numbers = m_answers, .words = shuffledWords(answers)});
 }
 
 void SheetSetter::setKey(SheetPages& pages, PageCount& count) {
@@ -216,8 +216,7 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
 void SheetSetter::prepareTest(const ExportProgress& progress) {
   const ShownQuestions shown = shownQuestions(m_order, m_trees);
   const std::vector<model::Question>& questions = shown.questions;
-  if (hasLabels(m_given.scene))
-    progress.note(shown.notes);
+  progress.note(shown.notes);
   m_testPlate = numbered(askedAlone(m_order, questions), &m_numbered);
   std::map<model::AnnotationId, const model::Question*> asked;
   for (const model::Question& question : questions)

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "render/export/order/sheet_words.h"
-#include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/plate/source_credits.h"
+#include "render/lettering/patient_text.h"
 
 namespace sline::render {
 

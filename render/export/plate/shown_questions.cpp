@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "model/scene/known_frame.h"
+#include "model/scene/label_words.h"
 #include "render/export/order/test_options.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/labels/anchors.h"
@@ -68,6 +70,12 @@ std::set<model::AnnotationId> seenLabels(const ExportOrder& order,
 
 ShownQuestions shownQuestions(const ExportOrder& order, model::MeshTrees& trees) {
   ShownQuestions shown;
+  ExportNote doubted{.kind = ExportNote::Kind::labelsDoubted, .names = {}, .detail = {}};
+  for (const model::Annotation& annotation : order.scene.annotations())
+    if (annotation.visible && namesInDoubt(order.scene, annotation))
+      doubted.names.push_back(model::writtenIn(annotation, order.labels.language));
+  if (!doubted.names.empty())
+    addNote(shown.notes, std::move(doubted));
   std::vector<model::Question> all = questionsOf(order);
   if (all.empty())
     return shown;

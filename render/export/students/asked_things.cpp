@@ -50,11 +50,20 @@ std::vector<model::Question> questionsInOrder(const AskedPicture& picture) {
   return questions;
 }
 
+WordsByLanguage spokenName(const std::string& name, const PageWords& words) {
+  // Names of answers are needed where the page itself says none.
+  model::Annotation label;
+  label.text = name;
+  label.anchors.emplace_back();
+  return words.ofLabel(label);
+}
+
 void addLabelled(std::vector<AskedThing>& things, AskedPicture picture, const PageWords& words) {
   picture.order.labels.language = words.language();
   for (const model::Question& question : questionsInOrder(picture)) {
-    const WordsByLanguage said =
-        words.ofLabel(annotationOf(picture.order.scene, question.labels.front()));
+    const model::Annotation& label = annotationOf(picture.order.scene, question.labels.front());
+    const bool counted = model::sharedName(picture.order.scene, label.text) != label.text;
+    const WordsByLanguage said = counted ? spokenName(question.words, words) : words.ofLabel(label);
     const bool known = std::any_of(things.begin(), things.end(),
                                    [&said](const AskedThing& each) { return each.words == said; });
     if (!known && !normalisedAnswer(said.at(words.language())).empty())
@@ -65,14 +74,6 @@ void addLabelled(std::vector<AskedThing>& things, AskedPicture picture, const Pa
 bool isAmong(const model::Scene& scene, model::NodeId id, const std::vector<model::NodeId>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
                      [&](model::NodeId node) { return node == id || scene.isBelow(id, node); });
-}
-
-WordsByLanguage spokenName(const std::string& name, const PageWords& words) {
-  // Names of answers are needed where the page itself says none.
-  model::Annotation label;
-  label.text = name;
-  label.anchors.emplace_back();
-  return words.ofLabel(label);
 }
 
 /// Adds what one sees well where nothing has a label.
@@ -93,7 +94,7 @@ void addSeen(std::vector<AskedThing>& things, const AskedPicture& picture, const
     const std::optional<SeenPlace> place = map.find(id);
     if (!place || place->hidden || !place->sure || model::isNameDoubted(*structure.node))
       continue;
-    const WordsByLanguage said = spokenName(structure.node->name, words);
+    const WordsByLanguage said = spokenName(model::sharedName(scene, structure.node->name), words);
     if (normalisedAnswer(said.at(words.language())).empty())
       continue;
     auto same = std::find_if(things.begin(), things.end(),
@@ -110,7 +111,7 @@ void acceptNames(std::vector<AskedThing>& things, const model::Scene& scene,
                  const PageWords& words) {
   std::set<WordsByLanguage> all;
   for (const model::NodeId id : scene.structuresBelow(model::rootId))
-    all.insert(spokenName(scene.find(id)->name, words));
+    all.insert(spokenName(model::sharedName(scene, scene.find(id)->name), words));
   for (const AskedThing& thing : things)
     all.insert(thing.words);
   std::vector<AcceptedAnswers> known;
@@ -189,7 +190,8 @@ Distractors::Distractors(const ExportOrder& order, const PageWords& words,
   for (const AskedThing& thing : asked)
     add(thing.words, thing.structures);
   for (const model::VisibleStructure& structure : model::visibleStructures(order.scene))
-    add(spokenName(structure.node->name, words), {structure.node->id});
+    add(spokenName(model::sharedName(order.scene, structure.node->name), words),
+        {structure.node->id});
 }
 
 void Distractors::add(const WordsByLanguage& words, const std::vector<model::NodeId>& structures) {

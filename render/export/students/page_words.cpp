@@ -120,9 +120,9 @@ WordsByLanguage PageWords::unmarked(const model::Annotation& annotation) const {
       continue;
     }
     const std::string text = model::plainText(annotation.kind, model::textIn(annotation, tag));
-    words[tag] = annotation.texts.contains(tag) || annotation.kind == model::AnnotationKind::callout
-                     ? text
-                     : structureName(text, tag);
+    const bool kept = m_kept || annotation.texts.contains(tag) ||
+                      annotation.kind == model::AnnotationKind::callout;
+    words[tag] = kept ? text : structureName(text, tag);
   }
   return words;
 }

@@ -27,6 +27,8 @@ class PageWords {
   /// Returns the languages' tags, first that in which the page opens.
   const std::vector<std::string>& languages() const { return m_languages; }
   const std::string& language() const { return m_languages.front(); }
+  /// Leaves names as the scene has them, as pictures do where no language was chosen.
+  void keepNames() { m_kept = true; }
   /// Tells whether the page must not name any structure.
   bool silent() const { return m_silent; }
 
@@ -56,6 +58,7 @@ class PageWords {
   std::string m_fileTitle;
   std::vector<std::string> m_languages;
   bool m_silent;
+  bool m_kept = false;
 };
 
 }  // namespace sline::render

@@ -204,6 +204,22 @@ void ImportPatientsTest::apart_data() {
       "perhaps apart");
   row("versions of one organ", {{"liver_nnunet.stl", stl()}, {"liver_manual.stl", stl()}}, "one");
   row("one person", {{"Meier_liver.stl", stl()}, {"Meier_spleen.stl", stl()}}, "one");
+  row("persons' folders with other organs",
+      {{"Meier_Hans/left_femur.stl", stl()},
+       {"Meier_Hans/sacrum.stl", stl()},
+       {"Schulz_Eva/right_femur.stl", stl()},
+       {"Schulz_Eva/urinary_bladder.stl", stl()}},
+      "perhaps apart");
+  row("structures that no table knows",
+      {{"left_Area_Tempestas_nucleus.stl", stl()},
+       {"right_Area_Tempestas_nucleus.stl", stl()},
+       {"left_Reuniens_Perifasc_nucleus.stl", stl()},
+       {"right_Reuniens_Perifasc_nucleus.stl", stl()}},
+      "one");
+  row("numbered patients", {{"patient01/sacrum.stl", stl()}, {"patient02/prostate.stl", stl()}},
+      "perhaps apart");
+  row("one numbered patient", {{"patient1/sacrum.stl", stl()}, {"patient01_prostate.stl", stl()}},
+      "one");
   row("a woman's and a man's", {{"VH_F_Heart.stl", stl()}, {"VH_M_Liver.stl", stl()}},
       "perhaps apart");
   row("the same in other words",
@@ -243,7 +259,7 @@ void ImportPatientsTest::apart() {
   }
   const auto together = importInputs(inputs, {.patients = PatientsWanted::together});
   QVERIFY2(together.ok(), together.ok() ? "" : together.error().text().c_str());
-  QCOMPARE(structuresIn(together->scene), std::size_t(2));
+  QCOMPARE(structuresIn(together->scene), inputs.size());
 }
 
 void ImportPatientsTest::whereMarksStand_data() {

@@ -7,6 +7,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "model/scene/known_frame.h"
 #include "model/scene_file/fingerprint.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"
@@ -73,6 +74,7 @@ class ReloadTest : public QObject {
   void annotationsGoToTheNearestPoint();
   void whatIsPaintedIsFoundAgain();
   void whichFileIsMeant();
+  void whatIsElsewhereIsTold();
   void whatCannotBeRead();
 };
 
@@ -279,9 +281,10 @@ void ReloadTest::whatIsPaintedIsFoundAgain() {
   for (std::size_t v = 0; v < liver.paint->size(); ++v)
     QCOMPARE(int((*liver.paint)[v]), v == at(liver, tip) ? 200 : 0);
   QVERIFY(!test::named(reloaded.scene, "spleen").paint);
-  QCOMPARE(reloaded.warnings.size(), std::size_t(1));
-  QCOMPARE(reloaded.warnings[0].file, std::string("spleen.ply"));
-  QVERIFY(reloaded.warnings[0].reason.find("100 % of what was painted") != std::string::npos);
+  QCOMPARE(reloaded.warnings.size(), std::size_t(2));
+  QVERIFY(reloaded.warnings[0].reason.find("away from where it was") != std::string::npos);
+  QCOMPARE(reloaded.warnings[1].file, std::string("spleen.ply"));
+  QVERIFY(reloaded.warnings[1].reason.find("100 % of what was painted") != std::string::npos);
   // What was painted while the files were read counts.
   std::vector<Node> repainted = scene.nodes();
   for (Node& node : repainted)
@@ -300,7 +303,10 @@ void ReloadTest::whichFileIsMeant() {
   test::writeMesh(folder.filePath("b/liver.ply"), *test::octahedron({}, 21));
   const auto one = importInputs(std::array{path(folder, "a/liver.ply")}, {});
   QVERIFY(one.ok());
-  QCOMPARE(told(reload(one->scene, std::array{path(folder)})), QString("liver.ply unchanged"));
+  const Reloaded kept = reload(one->scene, std::array{path(folder)});
+  QCOMPARE(told(kept), QString("liver.ply unchanged"));
+  QVERIFY(kept.files[0].reason.starts_with("another file of this name"));
+  QVERIFY(reload(one->scene, std::array{path(folder, "a")}).files[0].reason.empty());
   test::writeMesh(folder.filePath("a/liver.ply"), *test::octahedron({}, 22));
   const Reloaded unclear = reload(one->scene, std::array{path(folder)});
   QCOMPARE(told(unclear), QString("liver.ply failed"));
@@ -310,6 +316,29 @@ void ReloadTest::whichFileIsMeant() {
              QString("liver.ply replaced"));
   QCOMPARE(told(reload(one->scene, std::array{path(folder, "nowhere")})),
            QString("liver.ply absent"));
+}
+
+/// A file that has become another unit's, body's or organ's is told, and its lengths are doubted.
+void ReloadTest::whatIsElsewhereIsTold() {
+  const auto after = [](float radius, const glm::vec3& at) {
+    const QTemporaryDir folder;
+    test::writeMesh(folder.filePath("liver.ply"), *test::octahedron({}, 20));
+    const Scene scene = imported(folder);
+    test::writeMesh(folder.filePath("liver.ply"), *test::octahedron(at, radius));
+    return reload(scene, std::array{path(folder)});
+  };
+  const Reloaded alike = after(24, {5, 0, 0});
+  QVERIFY(alike.changed && alike.warnings.empty());
+  const Reloaded small = after(2, {});
+  QCOMPARE(small.warnings.size(), std::size_t(1));
+  QVERIFY2(small.warnings[0].reason.ends_with(": its file may have another unit"),
+           small.warnings[0].reason.c_str());
+  QVERIFY(isUnitDoubted(test::named(small.scene, "liver").provenance));
+  const Reloaded away = after(20, {100, 0, 0});
+  QCOMPARE(away.warnings.size(), std::size_t(1));
+  QVERIFY2(away.warnings[0].reason.find("lies 60") != std::string::npos,
+           away.warnings[0].reason.c_str());
+  QVERIFY(!isUnitDoubted(test::named(away.scene, "liver").provenance));
 }
 
 void ReloadTest::whatCannotBeRead() {

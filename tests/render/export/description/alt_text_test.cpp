@@ -379,6 +379,12 @@ class AltTextTest : public QObject {
     QVERIFY(!doubted(voted, voted));
     QVERIFY(doubted(assumed, assumed));
     QVERIFY(doubted(conflict, known));
+    // Each side that is in doubt has the mark, and no other.
+    QVERIFY(doubted(known, assumed));
+    QVERIFY(QString::fromStdString(altTextOf(order).text).contains("seen from the front (?)"));
+    QVERIFY(doubted(assumed, known));
+    const QString text = QString::fromStdString(altTextOf(order).text);
+    QVERIFY(text.contains("front; labelled") && text.contains("right (?) is on"));
     // From above neither left nor right would be told but at the edge.
     QVERIFY(doubted(known, assumed));
   }

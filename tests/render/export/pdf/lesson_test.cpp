@@ -101,6 +101,26 @@ class LessonTest : public QObject {
   std::unique_ptr<Typesetting> m_typesetting;
 
  private slots:
+  /// The words are all there, always in the same order, and not in that of the answers.
+  void wordBanks() {
+    for (int count = 0; count < 40; ++count) {
+      std::vector<std::string> answers;
+      for (int i = 0; i < count; ++i)
+        answers.push_back("structure " + std::to_string(i * 7 % 40));
+      const std::vector<std::string> bank = shuffledWords(answers);
+      QVERIFY(bank == shuffledWords(answers));
+      QVERIFY(count < 2 || bank != answers);
+      // Whoever knows the bank does not know the order of the answers.
+      std::vector<std::string> turned(answers.rbegin(), answers.rend());
+      QVERIFY(count < 3 || shuffledWords(turned) == bank || bank == turned);
+      std::vector<std::string> sorted = bank;
+      std::sort(sorted.begin(), sorted.end());
+      std::sort(answers.begin(), answers.end());
+      QVERIFY(sorted == answers);
+    }
+    QVERIFY(shuffledWords({"same", "same"}) == (std::vector<std::string>{"same", "same"}));
+  }
+
   /// One name is enough for two mirror images, but the chambers of a heart have one each.
   void namesOfPairs() {
     ExportOrder order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/export/pdf/patient_text.h"
+#include "render/lettering/patient_text.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/naming/named_sex.h"
+#include "model/import/naming/named_body.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/anatomy/name_words.h"
+#include "model/base/letters.h"
 
 namespace sline::model {
 
@@ -28,7 +29,7 @@ constexpr std::array<std::string_view, 6> men{"male",      "man",       "mann",
 
 }  // namespace
 
-NamedSex sexInName(std::string_view name) {
+std::string sexInName(std::string_view name) {
   bool female = false;
   bool male = false;
   std::string before;
@@ -39,7 +40,19 @@ NamedSex sexInName(std::string_view name) {
     male = male || isAmong(word, men) || (ofBody && word == "m");
     before = word;
   }
-  return female == male ? NamedSex::none : female ? NamedSex::female : NamedSex::male;
+  return female == male ? "" : female ? "f" : "m";
+}
+
+std::string numberInName(std::string_view name) {
+  static constexpr std::array<std::string_view, 6> counted{"patient", "subject",   "case",
+                                                           "proband", "patientin", "pasient"};
+  std::string before;
+  for (const std::string& word : wordsOf(name)) {
+    if (isAmong(before, counted) && std::all_of(word.begin(), word.end(), isDigit))
+      return word.substr(std::min(word.find_first_not_of('0'), word.size() - 1));
+    before = word;
+  }
+  return {};
 }
 
 }  // namespace sline::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/plan/implausible_sizes.h"
+#include "model/import/naming/implausible_sizes.h"
 
 #include <algorithm>
 #include <sstream>
