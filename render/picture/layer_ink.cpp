@@ -10,9 +10,6 @@ namespace sline::render {
 
 namespace {
 
-// The grain of drawing paper, λ.
-constexpr float grainSize = 1.1f;
-
 InkDraw inkDraw(const PictureInput& input, const Layer& layer, const PreparedStructure& shown) {
   ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
   // Pixels of a surface with a step reach farther beyond its outline.
@@ -26,7 +23,7 @@ InkDraw inkDraw(const PictureInput& input, const Layer& layer, const PreparedStr
           .probe = probes.probe,
           .reach = probes.reach,
           .grain = shown.style.grain,
-          .grainSize = std::max(1.0f, grainSize * input.view.outputUnit()),
+          .grainSize = std::max(1.0f, paperGrain * input.view.outputUnit()),
           .sheet = probes.sheet};
 }
 

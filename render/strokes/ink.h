@@ -19,6 +19,9 @@ namespace sline::render {
 enum class InkKind { surfaceLines, contours, edges, hidden, halos, trims };
 inline constexpr std::size_t inkKindCount = 6;
 
+/// The grain of drawing paper, λ.
+inline constexpr float paperGrain = 1.1f;
+
 struct InkDraw {
   InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
   std::span<const Stroke> strokes;       ///< farthest first

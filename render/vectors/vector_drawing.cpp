@@ -186,6 +186,7 @@ class Drawing {
     if (!work.hasLines())
       return structure;
     const model::ResolvedStyle& style = work.shown.style;
+    structure.grain = style.grain;
     const Colour colour = inkColour(style, m_settings.environment.background);
     addHidden(work, layers, index, stack, structure);
     for (const LineLayer& layer : takeLayers(work)) {

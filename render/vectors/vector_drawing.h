@@ -60,6 +60,7 @@ struct VectorStructure {
 
   bool filled() const { return tones || !fills.empty(); }
   std::vector<VectorLines> lines;  ///< in drawing order
+  float grain = 0.0f;              ///< how much of the paper shows in the lines, 0 … 1
 };
 
 /// A drawing in millimetres from the page's upper left corner, y downwards.

@@ -3,6 +3,7 @@
 // does, and what lets something through blends as ours does.
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -31,6 +32,7 @@ class ExportAgreementTest : public QObject {
   void blendsAsOursDoes_data();
   void blendsAsOursDoes();
   void theShadedAbdomenStaysHandy();
+  void aPencilShowsThePaper();
 
  private:
   QTemporaryDir m_folder;
@@ -183,6 +185,58 @@ void ExportAgreementTest::blendsAsOursDoes() {
     qInfo("%s: %d blobs, %.3f %%, at most %.2f; %lld kB", qPrintable(kind), blobs.count,
           100.0 * blobs.share, blobs.largest, QFileInfo(file).size() / 1000);
     QVERIFY(blobs.share <= 0.0005);
+  }
+}
+
+/// A pencil on rough paper lays as much less ink in vectors as in the picture, and in places: it is
+/// no paler pen.
+void ExportAgreementTest::aPencilShowsThePaper() {
+  struct Laid {
+    double ink = 0.0;   ///< of all pixels, 1: black
+    double dark = 0.0;  ///< the share of them that is nearly black
+  };
+  const auto laidOn = [](const QString& png) {
+    const QImage image = QImage(png).convertToFormat(QImage::Format_Grayscale8);
+    Laid laid;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const double ink = 1.0 - image.constScanLine(y)[x] / 255.0;
+        laid.ink += ink;
+        laid.dark += ink > 0.75 ? 1.0 : 0.0;
+      }
+    return laid;
+  };
+  std::map<QString, std::array<Laid, 2>> laid;
+  for (const int pencil : {0, 1}) {
+    const QStringList flags{"--look", "plain",   "--gamma",
+                            "2",      "--bw",    "--marks",
+                            "off",    "--grain", QString::number(pencil)};
+    const QString scene = m_folder.filePath("kidney.sline");
+    const QString file = m_folder.filePath("pencil.");
+    const QString size = QString("%1x%2").arg(width).arg(height);
+    const Finished drawn =
+        runSline(QStringList{"render", scene, "-o", file + "png", "--size", size} + flags);
+    QVERIFY2(drawn.code == 0, drawn.err.constData());
+    const Finished exported = runSline(QStringList{"export", scene, "--svg", file + "svg", "--pdf",
+                                                   file + "pdf", "--size-mm", "338.6667x190.5"} +
+                                       flags);
+    QVERIFY2(exported.code == 0, exported.err.constData());
+    laid["picture"][std::size_t(pencil)] = laidOn(file + "png");
+    for (const QString kind : {"svg", "pdf"}) {
+      if (kind == "pdf" && m_pdfRasteriser.isEmpty())
+        continue;
+      rasterise(file + kind, m_folder.filePath("theirs.png"));
+      laid[kind][std::size_t(pencil)] = laidOn(m_folder.filePath("theirs.png"));
+    }
+  }
+  const auto left = [](const std::array<Laid, 2>& each) { return each[1].ink / each[0].ink; };
+  const double ours = left(laid["picture"]);
+  for (const auto& [kind, each] : laid) {
+    qInfo("%s: a pencil leaves %.3f of the ink, %.3f of the black", qPrintable(kind), left(each),
+          each[1].dark / each[0].dark);
+    QVERIFY(left(each) < 0.95);
+    QVERIFY(std::abs(left(each) - ours) < 0.06);
+    QVERIFY(each[1].dark > 0.05 * each[0].dark);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <map>
 #include <memory>
 #include <qpdf/Buffer.hh>
 #include <qpdf/Pl_Buffer.hh>
@@ -88,8 +89,9 @@ void addStates(Object& resources, const std::set<int>& opacities) {
   }
 }
 
-/// Returns a group that is transparent as a whole (ISO 32000-1, 11.6.6).
-Object formObject(QPDF& file, const PdfForm& form) {
+/// Returns a group that is transparent as a whole (ISO 32000-1, 11.6.6). `papers` has the states of
+/// those that show paper.
+Object formObject(QPDF& file, const PdfForm& form, const std::map<int, Object>& papers) {
   Object stream = file.newStream(form.operators);
   Object group = Object::newDictionary();
   group.replaceKey("/S", Object::newName("/Transparency"));
@@ -97,6 +99,9 @@ Object formObject(QPDF& file, const PdfForm& form) {
   group.replaceKey("/I", Object::newBool(true));
   Object resources = Object::newDictionary();
   addStates(resources, form.opacities);
+  if (form.paper > 0)
+    ownDictionary(resources, "/ExtGState")
+        .replaceKey(pdfPaperName(form.paper), papers.at(form.paper));
   Object entries = stream.getDict();
   entries.replaceKey("/Type", Object::newName("/XObject"));
   entries.replaceKey("/Subtype", Object::newName("/Form"));
@@ -108,11 +113,11 @@ Object formObject(QPDF& file, const PdfForm& form) {
   return stream;
 }
 
-/// Returns a state in which nothing is drawn where the gaps are black (ISO 32000-1, 11.6.5.2).
-Object gapState(QPDF& file, const std::string& gaps, const glm::dvec2& size) {
-  const std::string page =
-      "0 0 " + real(size.x).unparse() + ' ' + real(size.y).unparse() + " re f\n";
-  Object form = file.newStream("1 g " + page + gaps);
+/// Returns a state in which as much is drawn as what the operators paint is light (ISO 32000-1,
+/// 11.6.5.2).
+Object maskState(QPDF& file, const std::string& operators, const glm::dvec2& size,
+                 const Object& resources) {
+  Object form = file.newStream(operators);
   Object group = Object::newDictionary();
   group.replaceKey("/S", Object::newName("/Transparency"));
   group.replaceKey("/CS", Object::newName("/DeviceGray"));
@@ -121,7 +126,7 @@ Object gapState(QPDF& file, const std::string& gaps, const glm::dvec2& size) {
   entries.replaceKey("/Subtype", Object::newName("/Form"));
   entries.replaceKey("/BBox", Object::newArray({real(0.0), real(0.0), real(size.x), real(size.y)}));
   entries.replaceKey("/Group", group);
-  entries.replaceKey("/Resources", Object::newDictionary());
+  entries.replaceKey("/Resources", resources);
   Object mask = Object::newDictionary();
   mask.replaceKey("/Type", Object::newName("/Mask"));
   mask.replaceKey("/S", Object::newName("/Luminosity"));
@@ -130,6 +135,13 @@ Object gapState(QPDF& file, const std::string& gaps, const glm::dvec2& size) {
   state.replaceKey("/Type", Object::newName("/ExtGState"));
   state.replaceKey("/SMask", mask);
   return state;
+}
+
+/// Returns a state in which nothing is drawn where the gaps are black.
+Object gapState(QPDF& file, const std::string& gaps, const glm::dvec2& size) {
+  const std::string page =
+      "0 0 " + real(size.x).unparse() + ' ' + real(size.y).unparse() + " re f\n";
+  return maskState(file, "1 g " + page + gaps, size, Object::newDictionary());
 }
 
 /// Returns the named channels of the image, `count` from the first, deflated as PNG does: each byte
@@ -173,6 +185,22 @@ Object imageObject(QPDF& file, const Image& image) {
   return colours;
 }
 
+/// Returns a state in which lines are as the paper takes them; its forms are in millimetres, y
+/// downwards.
+Object paperState(QPDF& file, const PdfPaper& paper) {
+  const double side = double(paper.tile.sideMm);
+  std::string tiles;
+  for (double y = 0.0; y < double(paper.sizeMm.y); y += side)
+    for (double x = 0.0; x < double(paper.sizeMm.x); x += side)
+      tiles += "q " + real(side).unparse() + " 0 0 " + real(-side).unparse() + ' ' +
+               real(x).unparse() + ' ' + real(y + side).unparse() + " cm /SlTile Do Q\n";
+  Object objects = Object::newDictionary();
+  objects.replaceKey("/SlTile", channels(file, paper.tile.image, 0, 1));
+  Object resources = Object::newDictionary();
+  resources.replaceKey("/XObject", objects);
+  return maskState(file, tiles, glm::dvec2(paper.sizeMm), resources);
+}
+
 void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
               const glm::dvec2& size) {
   Object object = page.getObjectHandle();
@@ -199,9 +227,12 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
     ownDictionary(resources, "/ExtGState").replaceKey(gapName, gapState(file, content.gaps, size));
   if (content.forms.empty() && content.images.empty())
     return;
+  std::map<int, Object> papers;
+  for (const auto& [percent, paper] : content.papers)
+    papers.emplace(percent, file.makeIndirectObject(paperState(file, paper)));
   Object objects = ownDictionary(resources, "/XObject");
   for (std::size_t i = 0; i < content.forms.size(); ++i)
-    objects.replaceKey(pdfFormName(i), formObject(file, content.forms[i]));
+    objects.replaceKey(pdfFormName(i), formObject(file, content.forms[i], papers));
   for (std::size_t i = 0; i < content.images.size(); ++i)
     objects.replaceKey(pdfImageName(i), imageObject(file, content.images[i]));
 }

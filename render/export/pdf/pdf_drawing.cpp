@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace sline::render {
@@ -143,7 +144,7 @@ class DrawingContent {
     for (const VectorStructure& structure : m_drawing.structures)
       fills(out, structure);
     for (const VeiledLines& veiled : veiledLines(m_drawing))
-      group(out, veiled.shapes, veiled.lines->opacity, false);
+      group(out, veiled.shapes, veiled.lines->opacity, veiled.structure->grain);
     // The farthest first, as in other vector files.
     std::vector<const VectorStructure*> lined;
     for (const VectorStructure& structure : m_drawing.structures)
@@ -152,7 +153,7 @@ class DrawingContent {
                      [](const auto* a, const auto* b) { return a->depth > b->depth; });
     for (const VectorStructure* structure : lined)
       for (const VectorLines& lines : structure->lines)
-        group(out, plainShapes(lines), lines.opacity, false);
+        group(out, plainShapes(lines), lines.opacity, structure->grain);
     out.word("Q");
     m_content.operators += out.take();
   }
@@ -174,7 +175,7 @@ class DrawingContent {
       m_content.images.push_back(tones.image);
     }
     if (!structure.fills.empty())
-      group(out, structure.fills, structure.fillOpacity, true);
+      group(out, structure.fills, structure.fillOpacity, {});
   }
 
   static bool opaque(float opacity) { return opacity >= 0.999f; }
@@ -207,17 +208,27 @@ class DrawingContent {
     }
   }
 
-  void group(Operators& out, std::span<const VectorShape> all, float opacity, bool regions) {
-    if (opaque(opacity) || all.empty()) {
+  /// Draws lines with that grain, or regions, which have none, transparent as a whole.
+  void group(Operators& out, std::span<const VectorShape> all, float opacity,
+             std::optional<float> grain) {
+    const bool regions = !grain;
+    const int paper = paperPercent(grain.value_or(0.0f));
+    if ((opaque(opacity) && paper == 0) || all.empty()) {
       shapes(out, all, regions, m_content.opacities);
       return;
     }
     constexpr float beyond = 20.0f;  // pens reach over the page's edge
-    PdfForm form{
-        .operators = {}, .box = {glm::vec2(-beyond), m_drawing.sizeMm + beyond}, .opacities = {}};
+    PdfForm form{.operators = {},
+                 .box = {glm::vec2(-beyond), m_drawing.sizeMm + beyond},
+                 .opacities = {},
+                 .paper = paper};
+    if (paper > 0 && !m_content.papers.contains(paper))
+      m_content.papers[paper] = {paperTile(paper, m_drawing.sizeMm.y), m_drawing.sizeMm};
     Operators inner;
     // Forms begin with their page's state, so that transparency applies once.
     inner.word("1 J 1 j");
+    if (paper > 0)
+      inner.text(pdfPaperName(paper) + " gs\n");
     shapes(inner, all, regions, form.opacities);
     form.operators = inner.take();
     out.word("q");
@@ -243,6 +254,10 @@ std::string pdfFormName(std::size_t index) {
 
 std::string pdfImageName(std::size_t index) {
   return "/SlI" + std::to_string(index);
+}
+
+std::string pdfPaperName(int percent) {
+  return "/SlP" + std::to_string(percent);
 }
 
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,

@@ -3,12 +3,14 @@
 // transparency.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "render/labels/shapes.h"
 #include "render/lettering/lettering.h"
+#include "render/vectors/paper_tile.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::render {
@@ -24,14 +26,22 @@ struct PdfForm {
   std::string operators;
   LabelBox box;  ///< nothing is drawn outside it; in the units of the content that draws it
   std::set<int> opacities;  ///< as in `PdfContent`
+  int paper = 0;            ///< percent: draws in the state named by `pdfPaperName`; 0: in none
+};
+
+/// The paper of a page: tiles that cover it from its upper left corner, as forms see it.
+struct PdfPaper {
+  PaperTile tile;
+  glm::vec2 sizeMm{0.0f};
 };
 
 /// Holds a page's content and what it refers to.
 struct PdfContent {
   std::string operators;
-  std::set<int> opacities;     ///< percent; each has a state, named by `pdfStateName`
-  std::vector<PdfForm> forms;  ///< named by `pdfFormName`
-  std::vector<Image> images;   ///< with alpha; named by `pdfImageName`
+  std::set<int> opacities;         ///< percent; each has a state, named by `pdfStateName`
+  std::vector<PdfForm> forms;      ///< named by `pdfFormName`
+  std::vector<Image> images;       ///< with alpha; named by `pdfImageName`
+  std::map<int, PdfPaper> papers;  ///< by percent, of forms that show paper
   /// Paints in black what the drawing is not to cover; empty: it covers all.
   std::string gaps;
   std::string said;      ///< what the drawing shows, in words; empty: it is passed over
@@ -41,6 +51,7 @@ struct PdfContent {
 std::string pdfStateName(int percent);
 std::string pdfFormName(std::size_t index);
 std::string pdfImageName(std::size_t index);
+std::string pdfPaperName(int percent);
 
 /// Appends the drawing; names of structures are not written. The page's height is in points.
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,

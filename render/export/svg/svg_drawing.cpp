@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "model/scene/known_frame.h"
 #include "render/export/encoding/png_image.h"
@@ -12,6 +13,7 @@
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_shapes.h"
 #include "render/export/svg/svg_values.h"
+#include "render/vectors/paper_tile.h"
 
 namespace sline::render {
 
@@ -82,21 +84,47 @@ class DrawingLayers {
     close();
   }
 
-  /// Adds tones as an image behind its edge. The older name of its link is the one that all
-  /// programs know.
-  void addTones(const VectorTones& tones, const std::string& edge) {
-    const Result<std::string> png = pngOf(tones.image);
+  /// Returns the image as an element without its place. The older name of its link is the one that
+  /// all programs know.
+  static std::string imageElement(const std::string& place, const Image& image) {
+    const Result<std::string> png = pngOf(image);
     if (!png.ok())
-      return;  // nothing but the sink can fail, and that is memory
-    const QByteArray bytes = QByteArray::fromStdString(*png).toBase64();
+      return {};  // nothing but the sink can fail, and that is memory
+    return "<image " + place + " preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," +
+           QByteArray::fromStdString(*png).toBase64().toStdString() + "\"/>";
+  }
+  std::string sized(const glm::vec2& sizeMm) const {
+    return "width=\"" + number(double(sizeMm.x), 4) + "\" height=\"" + number(double(sizeMm.y), 4) +
+           '"';
+  }
+
+  /// Returns the attribute of lines that show the paper; the first of a grain brings it.
+  std::string paperAttribute(float grain) {
+    const int percent = paperPercent(grain);
+    if (percent == 0)
+      return {};
+    const std::string id = m_prefix + "paper-" + std::to_string(percent);
+    if (m_papers.insert(percent).second) {
+      const PaperTile tile = paperTile(percent, m_drawing.sizeMm.y);
+      const std::string side = sized(glm::vec2(tile.sideMm));
+      const std::string page = sized(m_drawing.sizeMm);
+      m_text += "<pattern id=\"" + id + "-tile\" patternUnits=\"userSpaceOnUse\" " + side + '>' +
+                imageElement(side, tile.image) + "</pattern>\n<mask id=\"" + id +
+                "\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\" " + page + "><rect " + page +
+                " fill=\"url(#" + id + "-tile)\"/></mask>\n";
+    }
+    return " mask=\"url(#" + id + ")\"";
+  }
+
+  /// Adds tones as an image behind its edge.
+  void addTones(const VectorTones& tones, const std::string& edge) {
     m_text += "<clipPath id=\"" + edge + "\"><path clip-rule=\"evenodd\" d=\"" +
               svgPath(tones.edge, m_decimals - 1) + "\"/></clipPath>\n";
-    m_text += "<g clip-path=\"url(#" + edge + ")\"><image x=\"" + number(double(tones.at.x), 4) +
-              "\" y=\"" + number(double(tones.at.y), 4) + "\" width=\"" +
-              number(double(tones.sizeMm.x), 4) + "\" height=\"" +
-              number(double(tones.sizeMm.y), 4) +
-              "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," +
-              bytes.toStdString() + "\"/></g>\n";
+    m_text += "<g clip-path=\"url(#" + edge + ")\">" +
+              imageElement("x=\"" + number(double(tones.at.x), 4) + "\" y=\"" +
+                               number(double(tones.at.y), 4) + "\" " + sized(tones.sizeMm),
+                           tones.image) +
+              "</g>\n";
   }
 
   void addLines() {
@@ -133,16 +161,18 @@ class DrawingLayers {
         openNamed(m_prefix + "veiled-" + std::to_string(int(std::lround(100.0f * part.light()))) +
                       "-" + std::to_string(part.structure->id.value),
                   part.structure->id);
-      addShapes(*part.lines, part.shapes);
+      addShapes(*part.lines, part.shapes, part.structure->grain);
       if (i + 1 == veiled.size() || !goesOn(veiled[i + 1]))
         close();
     }
     close();
   }
 
-  void addShapes(const VectorLines& lines, std::span<const VectorShape> shapes) {
+  void addShapes(const VectorLines& lines, std::span<const VectorShape> shapes, float grain) {
+    const std::string paper = paperAttribute(grain);
     m_text += "<g inkscape:label=\"" + std::string(lines.kind) + "\"" +
-              (lines.hidden ? " class=\"hidden\"" : "") + opacityAttribute(lines.opacity) + ">\n";
+              (lines.hidden ? " class=\"hidden\"" : "") + opacityAttribute(lines.opacity) + paper +
+              ">\n";
     for (const VectorShape& shape : shapes)
       addPath(shape, false);
     close();
@@ -170,7 +200,7 @@ class DrawingLayers {
   void addStructure(const VectorStructure& structure) {
     for (const VectorLines& lines : structure.lines)
       if (const auto shapes = plainShapes(lines); !shapes.empty())
-        addShapes(lines, shapes);
+        addShapes(lines, shapes, structure.grain);
   }
 
   std::string& m_text;
@@ -178,6 +208,7 @@ class DrawingLayers {
   const model::Scene& m_scene;
   std::string m_prefix;
   int m_decimals;
+  std::set<int> m_papers;  ///< percent: there already
   std::map<model::NodeId, Branch> m_branches;
 };
 
