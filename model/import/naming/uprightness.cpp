@@ -38,7 +38,7 @@ const std::vector<UpRow>& upRows() {
        {"heart", "lung", "liver", "kidney", "trachea", "thyroid", "clavicle", "sternum"}},
       {{"heart", "lung", "clavicle", "scapula", "thyroid", "trachea"},
        {"kidney", "pancreas", "duodenum", "bladder", "sacrum", "ilium"}},
-      {{"cerebrum", "cortex"}, {"cerebellum", "brainstem", "medulla"}},
+      {{"cerebrum"}, {"cerebellum", "brainstem"}},
       {{"sacrum", "ilium", "hip bone"}, {"coccyx", "femur", "prostate", "urethra"}}};
   return rows;
 }
@@ -75,7 +75,9 @@ Order orderOf(const UpRow& row, std::span<const NamedPosition> places) {
   Points above;
   Points below;
   for (const NamedPosition& place : places) {
-    const std::vector<std::string> words = affirmedWords(place.name);
+    std::vector<std::string> words = affirmedWords(place.name);
+    if (hasName(words, "gall bladder"))
+      words = {"gallbladder"};
     const auto among = [&words](const std::vector<std::string_view>& names) {
       return std::any_of(names.begin(), names.end(),
                          [&words](std::string_view name) { return hasName(words, name); });

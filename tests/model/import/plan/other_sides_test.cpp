@@ -34,6 +34,11 @@ const std::map<QString, glm::vec3>& body() {
                                                    {"left ureter", {40, 30, -90}},
                                                    {"right ureter", {-40, 30, -90}},
                                                    {"right femur", {-90, 10, -200}},
+                                                   {"gall bladder", {-30, -40, -20}},
+                                                   {"gall bladder fundus", {-30, -50, -40}},
+                                                   {"left renal cortex", {50, 40, -30}},
+                                                   {"left renal medulla", {50, 40, -60}},
+                                                   {"right renal cortex", {-50, 40, -35}},
                                                    {"descending colon", {85, 10, -60}},
                                                    {"appendix", {-80, 0, -110}},
                                                    {"growth", {30, -10, -20}},
@@ -82,6 +87,12 @@ void OtherSidesTest::anotherAxisUpIsDoubted_data() {
   QTest::newRow("y down") << whole << 3 << true << true;
   QTest::newRow("nothing low") << QStringList{"liver", "spleen", "left kidney", "right kidney"} << 1
                                << true << false;
+  QTest::newRow("a gall bladder is none of urine")
+      << QStringList{"liver", "spleen", "gall bladder", "gall bladder fundus"} << 0 << true
+      << false;
+  QTest::newRow("cortex and medulla of the kidney")
+      << QStringList{"left renal cortex", "left renal medulla", "right renal cortex"} << 0 << true
+      << false;
   QTest::newRow("one low") << QStringList{"liver", "spleen", "left kidney", "right kidney",
                                           "right femur"}
                            << 0 << false << false;
