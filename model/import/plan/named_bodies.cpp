@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "model/anatomy/kin_names.h"
 #include "model/anatomy/shown_names.h"
@@ -101,7 +102,7 @@ bool areTwo(const std::set<std::string>& one, const NamedBody& a,
 /// where they say different things; those of which nothing is said are of any.
 std::vector<PatientFiles> bodiesSaid(const Sources& sources, const std::set<fs::path>& marked,
                                      std::string (*said)(std::string_view)) {
-  std::map<std::string, PatientFiles> bodies;
+  std::vector<std::pair<std::string, PatientFiles>> bodies;
   for (const SourceFile& file : sources.files) {
     if (file.model || file.slice || marked.contains(file.file))
       continue;
@@ -110,8 +111,13 @@ std::vector<PatientFiles> bodiesSaid(const Sources& sources, const std::set<fs::
       of = said(file.file.parent_path().filename().string());
     for (auto folder = file.folders.rbegin(); folder != file.folders.rend() && of.empty(); ++folder)
       of = said(*folder);
-    if (!of.empty())
-      bodies[of].files.push_back(file.file);
+    if (of.empty())
+      continue;
+    auto body = std::find_if(bodies.begin(), bodies.end(),
+                             [&of](const auto& each) { return each.first == of; });
+    if (body == bodies.end())
+      body = bodies.insert(body, {of, {}});
+    body->second.files.push_back(file.file);
   }
   std::vector<PatientFiles> apart;
   for (auto& [of, files] : bodies)

@@ -240,6 +240,8 @@ void ImportPatientsTest::apart() {
   QCOMPARE(patients.several(), apart);
   QCOMPARE(patients.apart.size(), std::size_t(apart ? 2 : 0));
   QCOMPARE(patients.certain, outcome == "apart");
+  if (apart && patients.byName)
+    QCOMPARE(patients.apart.front().files.front().filename(), inputs.front().filename());
   const auto whole = std::array{Path(folder.path().toStdString())};
   for (const std::span<const Path> given :
        {std::span<const Path>(inputs), std::span<const Path>(whole)}) {
