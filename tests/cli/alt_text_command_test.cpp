@@ -88,7 +88,7 @@ class AltTextCommandTest : public QObject {
  private slots:
   void initTestCase() {
     const QString sample = writeSample(m_folder.path());
-    QCOMPARE(runSline({"import", sample, "-o", m_scene}).code, 0);
+    QCOMPARE(runSline({"import", sample, "--sides", "right", "-o", m_scene}).code, 0);
     QCOMPARE(runSline({"annotate", m_scene, "--on", "kidney", "--label", "QZXLABEL"}).code, 0);
     QCOMPARE(runSline({"view", m_scene, "--add", "front", "--from", "anterior"}).code, 0);
   }
