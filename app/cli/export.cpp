@@ -15,7 +15,7 @@
 #include "app/cli/flags/picture_options.h"
 #include "app/cli/flags/typed_options.h"
 #include "render/export/encoding/xml_text.h"
-#include "render/export/formats/export_formats.h"
+#include "render/export/formats/assembled.h"
 #include "render/export/order/common_options.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
@@ -24,8 +24,6 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_options.h"
 #include "render/export/plate/source_credits.h"
-#include "render/export/slides/slide_options.h"
-#include "render/export/slides/slide_page.h"
 
 namespace sline::cli {
 
@@ -60,51 +58,16 @@ Result<PictureSpec> parsePictureFlags(const ExportFlags& flags, const render::Ex
   return spec;
 }
 
-/// Returns the order with the figure as large as its sheet lets it, and the camera fitted to that.
-Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureSpec& spec,
-                                    const render::Typesetting& typesetting) {
-  job.page.sizeMm = render::sheetFigureMm(job);
-  const render::ExportOrder figure = render::sheetFigure(job);
-  spec.labels.sides = render::sidesOfPlate(figure, typesetting);
-  spec.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
-               int(std::lround(100.0f * job.page.sizeMm.y))};
-  const Result<model::Camera> camera = cameraFor(job.scene, spec);
-  if (!camera.ok())
-    return camera.error();
-  job.camera = *camera;
-  return job;
-}
-
-bool areFilms(const render::ExportFormat& format) {
-  return format.has(render::motionOption);
-}
-
-bool areSlides(const render::ExportFormat& format) {
-  return format.has(render::slideShapeOption);
-}
-
-/// Returns the order as films and slides have it: on a page of their shape, with the camera fitted
-/// to that.
-Result<render::ExportOrder> onPage(const glm::vec2& page, render::ExportOrder job, PictureSpec spec,
-                                   const render::Typesetting& typesetting) {
-  if (page == job.page.sizeMm)
-    return job;
-  job.page.sizeMm = page;
-  spec.labels.sides = render::sidesOfPlate(job, typesetting);
-  spec.size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
-  const Result<model::Camera> camera = cameraFor(job.scene, spec);
-  if (!camera.ok())
-    return camera.error();
-  job.camera = *camera;
-  return job;
-}
-
 /// Holds what the flags say before a scene is read.
 struct ParsedExport {
   model::ImportOptions import;
   render::ExportOrder job;  ///< its page, the options of kinds and the credit
   PictureSpec spec;
 };
+
+bool hasSheet(const render::ExportOrder& job) {
+  return job.of<render::SheetOptions>().kind != render::SheetKind::none;
+}
 
 bool areAllViews(const render::ExportOrder& job) {
   return job.of<render::ViewsOptions>().subject == render::ViewSubject::all;
@@ -160,6 +123,7 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   wish.spec.labels.sources = wish.job.sources;
   wish.job.environment = spec->environment;
   wish.job.pureInk = spec->blackAndWhite;
+  wish.spec.blackAndWhite = false;  // colours go last, when the order of a kind is made
   spec->labels.writeTo(wish.job);
   return wish;
 }
@@ -175,12 +139,10 @@ Status checkAskedNames(const render::ExportOrder& job) {
 
 /// Returns all that the files are made of.
 Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport& wish,
-                                          const ArrangedScene& arranged,
-                                          const render::Typesetting& typesetting) {
+                                          const ArrangedScene& arranged) {
   render::ExportOrder job = wish.job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.labels.inColour = arranged.inColour;
   job.viewName = wish.spec.labels.viewName;
   job.words = wish.spec.labels.words;
   if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
@@ -188,21 +150,39 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
     return fine.error();
   if (const Status fine = checkAskedNames(job); !fine.ok())
     return fine.error();
-  return job.of<render::SheetOptions>().kind == render::SheetKind::none || areAllViews(job)
-             ? Result<render::ExportOrder>(job)
-             : onSheet(job, wish.spec, typesetting);
+  // Pictures beside a sheet are of its figure.
+  if (hasSheet(job) && !areAllViews(job))
+    job.page.sizeMm = render::sheetFigureMm(job);
+  return job;
+}
+
+/// Returns what frames the job's scene on the page of each kind: its camera stays where the page is
+/// that for which it was arranged, and is fitted again to others. What has the page of the job's
+/// sheet is framed as that.
+render::Framing framingOf(const render::ExportOrder& job, const PictureSpec& spec,
+                          const glm::vec2& pageMm, const render::Typesetting& typesetting) {
+  return [&typesetting, spec, pageMm, job](const render::ExportOrder& order) {
+    const glm::vec2 page = order.page.sizeMm;
+    if (page == pageMm)
+      return Result(job.camera);
+    PictureSpec own = spec;
+    own.labels.sides = render::sidesOfPlate(
+        render::sheetFigure(page == job.page.sizeMm ? job : order), typesetting);
+    own.size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
+    return cameraFor(order.scene, own);
+  };
 }
 
 /// Tells that files written beside a sheet show the sheet's figure and are as large.
 void tellOfSheet(const render::ExportOrder& job,
                  const std::map<std::string, std::string>& targets) {
-  if (job.of<render::SheetOptions>().kind == render::SheetKind::none || areAllViews(job))
+  if (!hasSheet(job) || areAllViews(job))
     return;
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)
     if (const render::ExportFormat* format = render::exportFormat(kind);
-        !format->has(render::sheetOption) && format->page != render::PageUse::none &&
-        !areSlides(*format) && !areFilms(*format))
+        !format->has(render::sheetOption) &&
+        (format->page == render::PageUse::pixels || format->page == render::PageUse::drawing))
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }
@@ -212,67 +192,29 @@ void warnOfViews(const render::ExportOrder& job, const std::map<std::string, std
                  const Warn& tellWarning) {
   if (job.of<render::FilmOptions>().motion == render::Motion::tour)
     tellWarning("a tour shows what its views show: --only changes nothing in it");
-  const bool views = std::any_of(targets.begin(), targets.end(), [&job](const auto& target) {
-    const render::ExportFormat& format = *render::exportFormat(target.first);
-    return areSlides(format) ? render::showsViews(job)
-                             : format.has(render::viewsOption) && render::wantsAllViews(job);
-  });
+  const bool views = !job.scene.views().empty() &&
+                     std::any_of(targets.begin(), targets.end(), [&job](const auto& target) {
+                       return render::meansAllViews(job.of<render::ViewsOptions>().subject,
+                                                    *render::exportFormat(target.first));
+                     });
   if (views)
     tellWarning(
         "each view shows what was saved with it: --only changes nothing in them. Add --views shown "
         "for what is shown alone");
 }
 
-/// Holds the order of pictures and those of films and slides, which have shapes of their own.
-struct Orders {
-  render::ExportOrder pictures;
-  render::ExportOrder films;
-  render::ExportOrder slides;
-
-  const render::ExportOrder& of(const render::ExportFormat& format) const {
-    return areFilms(format) ? films : areSlides(format) ? slides : pictures;
-  }
-};
-
-Result<Orders> ordersOf(const render::ExportOrder& job, const PictureSpec& spec,
-                        const render::Typesetting& typesetting) {
-  const Result<render::ExportOrder> film = onPage(render::filmPageMm(job), job, spec, typesetting);
-  if (!film.ok())
-    return film.error();
-  const Result<render::ExportOrder> slide =
-      onPage(render::slidePageMm(job), job, spec, typesetting);
-  if (!slide.ok())
-    return slide.error();
-  return Orders{job, *film, *slide};
-}
-
-struct ExportPiece {
-  render::ExportOrder order;
-  std::filesystem::path target;
-};
-
-/// Returns the files of one kind: one, or for kinds that hold one view a numbered one for each of
-/// those that are wanted.
-std::vector<ExportPiece> piecesOf(const render::ExportOrder& order,
-                                  const render::ExportFormat& format, const std::string& target) {
-  if (!format.oneView || !format.has(render::viewsOption) || !render::wantsAllViews(order))
-    return {{order, target}};
-  const std::vector<model::View>& views = order.scene.views();
-  const auto targets = render::viewTargets(target, views, format.extension);
-  std::vector<ExportPiece> pieces;
-  for (std::size_t i = 0; i < views.size(); ++i)
-    pieces.push_back({render::orderOfView(order, views[i]), targets[i]});
-  return pieces;
-}
-
-Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& targets,
+Exit writeAll(render::ExportWish wish, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
   const Interruption interruption;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = targets.find(format.id);
     if (target == targets.end())
       continue;
-    for (const ExportPiece& piece : piecesOf(orders.of(format), format, target->second)) {
+    wish.target = target->second;
+    const auto pieces = render::assembled(wish, format);
+    if (!pieces.ok())
+      return complain(pieces.error(), Exit::wrongUse);
+    for (const render::ExportPiece& piece : *pieces) {
       render::ExportNotes notes;
       const auto show = [&](double share, std::string_view what) {
         progress.show(share, what);
@@ -328,18 +270,21 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     tellWarning("no structure is visible: the drawing is empty");
-  const Result<render::ExportOrder> job = exportOrderOf(flags, *wish, *arranged, **typesetting);
+  const glm::vec2 pageMm = wish->job.page.sizeMm;
+  const Result<render::ExportOrder> job = exportOrderOf(flags, *wish, *arranged);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
   tellOfSheet(*job, flags.targets);
   if (!flags.picture.only.empty())
     warnOfViews(*job, flags.targets, tellWarning);
-  const Result<Orders> orders = ordersOf(*job, wish->spec, **typesetting);
-  if (!orders.ok())
-    return complain(orders.error(), Exit::wrongUse);
-  const Exit written = writeAll(*orders, flags.targets, progress, tellWarning);
+  const render::ExportWish all{.order = *job,
+                               .framing = framingOf(*job, wish->spec, pageMm, **typesetting),
+                               .filled = false,
+                               .target = {}};
+  const Exit written = writeAll(all, flags.targets, progress, tellWarning);
   if (written == Exit::done && job->labels.mode == render::LabelMode::numbers)
-    printKey(render::reportOfPlate(*job, **typesetting));
+    if (const auto shown = render::assembledPicture(all); shown.ok())
+      printKey(render::reportOfPlate(*shown, **typesetting));
   return written;
 }
 

@@ -159,7 +159,7 @@ class ExportChoicesTest : public QObject {
     view.words.description.text = "A ball";
     source.scene.setViews({view});
     widgets::ExportDraft draft;
-    draft.subject = widgets::ExportSubject::savedViews;
+    draft.subject = render::ViewSubject::all;
     for (const char* kind : {"svg", "pptx"}) {
       draft.kind = QLatin1String(kind);
       const auto pages = widgets::previewedFiles(draft, widgets::exportFiles(draft, source));

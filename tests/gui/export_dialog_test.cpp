@@ -136,12 +136,12 @@ class ExportDialogTest : public QObject {
     draft.order.page.sizeMm = {160.0f, 90.0f};
     const auto reach = [&](render::LabelMode mode) {
       draft.order.labels.mode = mode;
-      const widgets::ExportFile file =
+      const render::ExportPiece file =
           widgets::exportFiles(
               draft,
               {.scene = desk.session.scene(), .camera = desk.viewport().camera(), .aspect = 1.0f})
               .front();
-      const render::ExportOrder ready = widgets::readyOrder(file);
+      const render::ExportOrder ready = render::readyOrder(file);
       float most = 0.0f;
       for (const glm::vec3& p : model::visiblePoints(ready.scene)) {
         const auto place = model::pixelOf(ready.camera, p, ready.page.sizeMm);
@@ -167,7 +167,7 @@ class ExportDialogTest : public QObject {
     source.camera = view.camera;
     QVERIFY(widgets::exportFiles(draft, source).front().order.words == view.words);
     source.camera = {};
-    draft.subject = widgets::ExportSubject::savedViews;
+    draft.subject = render::ViewSubject::all;
     QVERIFY(widgets::exportFiles(draft, source).front().order.words == view.words);
   }
 

@@ -16,7 +16,7 @@ AltTextHint::AltTextHint(QObject* parent) : QObject(parent) {
   connect(&m_pause, &QTimer::timeout, this, &AltTextHint::find);
 }
 
-void AltTextHint::ask(const ExportFile& file) {
+void AltTextHint::ask(const render::ExportPiece& file) {
   m_file = file;
   m_file.order.altText.clear();
   ++m_asked;
@@ -25,7 +25,7 @@ void AltTextHint::ask(const ExportFile& file) {
 
 void AltTextHint::find() {
   QThreadPool::globalInstance()->start([file = m_file, number = m_asked, hint = QPointer(this)] {
-    const QString text = QString::fromStdString(render::altTextOf(readyOrder(file)).text);
+    const QString text = QString::fromStdString(render::altTextOf(render::readyOrder(file)).text);
     QMetaObject::invokeMethod(QCoreApplication::instance(), [hint, number, text] {
       if (hint && hint->m_asked == number)
         emit hint->told(text);

@@ -15,7 +15,7 @@ class AltTextHint : public QObject {
   explicit AltTextHint(QObject* parent = nullptr);
 
   /// Asks for that file; what was asked before is not answered any more.
-  void ask(const ExportFile& file);
+  void ask(const render::ExportPiece& file);
 
  signals:
   void told(const QString& text);
@@ -23,7 +23,7 @@ class AltTextHint : public QObject {
  private:
   void find();
 
-  ExportFile m_file;
+  render::ExportPiece m_file;
   QTimer m_pause;  ///< while choices follow each other
   int m_asked = 0;
 };

@@ -36,7 +36,7 @@ namespace {
 constexpr const char* exportFolderKey = "export/folder";
 constexpr const char* widthKey = "export/width";
 
-QString nameOf(const ExportFile& file) {
+QString nameOf(const render::ExportPiece& file) {
   return textOf(file.target.filename());
 }
 
@@ -177,7 +177,7 @@ void ExportActions::showDialog() {
   m_dialog->open();
 }
 
-void ExportActions::begin(const QString& kind, const std::vector<ExportFile>& files) {
+void ExportActions::begin(const QString& kind, const std::vector<render::ExportPiece>& files) {
   const render::ExportFormat* format = formatOf(kind);
   if (m_job || !format || files.empty())
     return;
@@ -193,7 +193,7 @@ void ExportActions::begin(const QString& kind, const std::vector<ExportFile>& fi
     m_progress->setToolTip(what);
   });
   connect(m_job.get(), &ExportJob::done, this, [this] {
-    const std::vector<ExportFile> written = m_job->files();
+    const std::vector<render::ExportPiece> written = m_job->files();
     const render::ExportNotes notes = m_job->notes();
     end();
     tellDone(written, notes);
@@ -211,7 +211,7 @@ void ExportActions::begin(const QString& kind, const std::vector<ExportFile>& fi
 }
 
 void ExportActions::showProgress() {
-  const std::vector<ExportFile>& files = m_job->files();
+  const std::vector<render::ExportPiece>& files = m_job->files();
   const QString text = files.size() == 1 ? tr("Exporting %1").arg(nameOf(files.front()))
                                          : tr("Exporting %n files", nullptr, int(files.size()));
   m_what = new QLabel(text);
@@ -274,7 +274,7 @@ void ExportActions::closeNow() {
     m_window.close();
 }
 
-void ExportActions::tellDone(const std::vector<ExportFile>& files,
+void ExportActions::tellDone(const std::vector<render::ExportPiece>& files,
                              const render::ExportNotes& notes) {
   m_offers = std::make_unique<QObject>();
   const QString first = textOf(files.front().target);

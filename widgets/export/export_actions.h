@@ -60,11 +60,11 @@ class ExportActions : public QObject {
   render::ExportOrder seen() const;
   void copyPicture();
   void showProof();
-  void begin(const QString& kind, const std::vector<ExportFile>& files);
+  void begin(const QString& kind, const std::vector<render::ExportPiece>& files);
   void showProgress();
   void end();
   void closeNow();
-  void tellDone(const std::vector<ExportFile>& files, const render::ExportNotes& notes);
+  void tellDone(const std::vector<render::ExportPiece>& files, const render::ExportNotes& notes);
 
   Session& m_session;
   QSettings& m_settings;

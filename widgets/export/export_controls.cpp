@@ -170,9 +170,10 @@ QWidget* ExportDialog::makeButtons() {
 
 void ExportDialog::connectControls() {
   connect(m_kinds, &QListWidget::currentItemChanged, this, &ExportDialog::chooseKind);
-  connect(m_seen, &QRadioButton::clicked, this, [this] { chooseSubject(ExportSubject::seen); });
+  connect(m_seen, &QRadioButton::clicked, this,
+          [this] { chooseSubject(render::ViewSubject::shown); });
   connect(m_savedViews, &QRadioButton::clicked, this,
-          [this] { chooseSubject(ExportSubject::savedViews); });
+          [this] { chooseSubject(render::ViewSubject::all); });
   connect(m_filled, &QCheckBox::toggled, this, [this](bool filled) {
     m_draft.filled = filled;
     refresh();

@@ -48,9 +48,9 @@ QString messageStyleSheet(const QPalette& palette) {
          QStringLiteral(" padding: 6px 10px; border-radius: 4px;");
 }
 
-std::vector<std::filesystem::path> targetsOf(const std::vector<ExportFile>& files) {
+std::vector<std::filesystem::path> targetsOf(const std::vector<render::ExportPiece>& files) {
   std::vector<std::filesystem::path> targets;
-  for (const ExportFile& file : files)
+  for (const render::ExportPiece& file : files)
     targets.push_back(file.target);
   return targets;
 }
@@ -119,7 +119,7 @@ void ExportDialog::chooseKind() {
   refresh();
 }
 
-void ExportDialog::chooseSubject(ExportSubject subject) {
+void ExportDialog::chooseSubject(render::ViewSubject subject) {
   m_draft.subject = subject;
   showSubject();
   refresh();
@@ -154,11 +154,11 @@ QString ExportDialog::target() const {
   return typed.isAbsolute() || named.isEmpty() ? named : QDir::home().filePath(named);
 }
 
-const ExportFile& ExportDialog::shown() const {
+const render::ExportPiece& ExportDialog::shown() const {
   return m_pages[m_pages.size() > 1 ? m_pager->index() : 0];
 }
 
-const ExportFile& ExportDialog::measured() const {
+const render::ExportPiece& ExportDialog::measured() const {
   return m_files.size() > 1 ? shown() : m_files.front();
 }
 
@@ -185,7 +185,7 @@ void ExportDialog::showSummary() {
 void ExportDialog::showPager() {
   QStringList names;
   if (m_pages.size() > 1)
-    for (const ExportFile& page : m_pages)
+    for (const render::ExportPiece& page : m_pages)
       names << (m_files.size() > 1 ? textOf(page.target.filename())
                                    : QString::fromStdString(page.order.viewName).simplified());
   else if (isSheet(m_draft))
@@ -269,7 +269,7 @@ void ExportDialog::tryToExport() {
 }
 
 void ExportDialog::give() {
-  const std::vector<ExportFile> files = m_files;
+  const std::vector<render::ExportPiece> files = m_files;
   const QString kind = m_draft.kind;
   m_draft.target = target();
   m_draft.order.altText.clear();  // it is about this picture

@@ -38,7 +38,7 @@ class ExportDialog : public QDialog {
 
  signals:
   /// Tells that the dialog has closed itself; existing files of the same names may be replaced.
-  void exportWanted(const QString& kind, const std::vector<sline::widgets::ExportFile>& files);
+  void exportWanted(const QString& kind, const std::vector<sline::render::ExportPiece>& files);
 
  private:
   QWidget* makeKinds();
@@ -51,14 +51,14 @@ class ExportDialog : public QDialog {
   void connectControls();
   QLabel* heading(const QString& text);
   void chooseKind();
-  void chooseSubject(ExportSubject subject);
+  void chooseSubject(render::ViewSubject subject);
   /// Shows what can be chosen as the subject of this kind, and what is.
   void showSubject();
   void browse();
   /// Returns the file that the preview shows.
-  const ExportFile& shown() const;
+  const render::ExportPiece& shown() const;
   /// Returns the file whose size is told: that of which the preview shows something.
-  const ExportFile& measured() const;
+  const render::ExportPiece& measured() const;
   /// Offers the files, or the pages of a sheet, one by one.
   void showPager();
   void showSummary();
@@ -76,8 +76,8 @@ class ExportDialog : public QDialog {
 
   ExportDraft& m_draft;
   const ExportSource m_source;
-  std::vector<ExportFile> m_files;
-  std::vector<ExportFile> m_pages;  ///< what the preview shows of them
+  std::vector<render::ExportPiece> m_files;
+  std::vector<render::ExportPiece> m_pages;  ///< what the preview shows of them
   QListWidget* m_kinds;
   QLabel* m_help;
   QRadioButton* m_seen;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "render/export/formats/assembled.h"
 #include "render/export/order/view_orders.h"
 #include "render/vectors/vector_drawing.h"
 #include "widgets/export/option_fields.h"
@@ -24,10 +25,10 @@ const render::ExportFormat& traitsOf(const QString& kind) {
   return found ? *found : all;
 }
 
-constexpr std::array<std::pair<ExportSubject, const char*>, 3> subjectNames{
-    {{ExportSubject::usual, "usual"},
-     {ExportSubject::seen, "seen"},
-     {ExportSubject::savedViews, "savedViews"}}};
+constexpr std::array<std::pair<render::ViewSubject, const char*>, 3> subjectNames{
+    {{render::ViewSubject::asKind, "usual"},
+     {render::ViewSubject::shown, "seen"},
+     {render::ViewSubject::all, "savedViews"}}};
 
 QString keyOf(const char* name) {
   return QStringLiteral("export/") + QLatin1String(name);
@@ -68,10 +69,26 @@ bool holdsViews(const QString& kind) {
   return format && format->holdsViews();
 }
 
+render::ExportOrder asChosen(const ExportDraft& draft) {
+  render::ExportOrder order = draft.order;
+  order.of<render::ViewsOptions>().subject = draft.subject;
+  return order;
+}
+
 bool wantsViews(const ExportDraft& draft) {
-  return hasViews(draft.kind) && (draft.subject == ExportSubject::savedViews ||
-                                  (draft.subject == ExportSubject::usual &&
-                                   pageUseOf(draft.kind) == render::PageUse::slides));
+  return render::meansAllViews(draft.subject, traitsOf(draft.kind));
+}
+
+bool isSheet(const ExportDraft& draft) {
+  return render::isOnPaper(asChosen(draft), traitsOf(draft.kind));
+}
+
+bool isLesson(const ExportDraft& draft, const model::Scene& scene) {
+  return holdsViews(draft.kind) && wantsViews(draft) && !scene.views().empty();
+}
+
+bool hasOwnPage(const ExportDraft& draft) {
+  return render::hasOwnPage(asChosen(draft), traitsOf(draft.kind));
 }
 
 bool pageIsAsPreviewed(const QString& kind) {

@@ -6,21 +6,20 @@
 #include <QString>
 
 #include "render/export/formats/export_formats.h"
+#include "render/export/order/view_orders.h"
 
 class QSettings;
 
 namespace sline::widgets {
 
-/// Tells what is exported. `usual`: all saved views where the kind of file is made for them, as
-/// slides are, and else what is seen.
-enum class ExportSubject { usual, seen, savedViews };
 /// The unit in which the size of the page is typed.
 enum class PageUnit { millimetres, pixels };
 
 struct ExportDraft {
   QString kind;    ///< ExportFormat::id
   QString target;  ///< of one file; files of several views have the view's name appended
-  ExportSubject subject = ExportSubject::usual;
+  /// Which views are wanted, as it was chosen; the order's own is what that means for the kind.
+  render::ViewSubject subject = render::ViewSubject::asKind;
   bool filled = false;  ///< the camera is moved so that what is shown fills the page
   PageUnit unit = PageUnit::millimetres;
   /// How the export looks; its scene, camera and view are taken from what is exported.
@@ -34,8 +33,16 @@ const render::ExportFormat* formatOf(const QString& kind);
 bool hasViews(const QString& kind);
 /// Tells whether one file of the kind can hold all saved views.
 bool holdsViews(const QString& kind);
+/// Returns the draft's order with the views that were chosen.
+render::ExportOrder asChosen(const ExportDraft& draft);
 /// Tells whether the draft is of all saved views, in one file or in several.
 bool wantsViews(const ExportDraft& draft);
+/// Tells whether the draft is a PDF with the paper's size instead of the page's.
+bool isSheet(const ExportDraft& draft);
+/// Tells whether the draft is one file of all saved views, of which that scene has some.
+bool isLesson(const ExportDraft& draft, const model::Scene& scene);
+/// Tells whether the page that the draft was given is not that of its files (`render::hasOwnPage`).
+bool hasOwnPage(const ExportDraft& draft);
 /// Tells whether pages of the kind have their labels where the preview has them.
 bool pageIsAsPreviewed(const QString& kind);
 render::PageUse pageUseOf(const QString& kind);

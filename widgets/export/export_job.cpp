@@ -5,7 +5,7 @@
 
 namespace sline::widgets {
 
-ExportJob::ExportJob(const render::ExportFormat& format, std::vector<ExportFile> files,
+ExportJob::ExportJob(const render::ExportFormat& format, std::vector<render::ExportPiece> files,
                      QObject* parent)
     : BackgroundJob([this](const Progress& progress) { return write(progress); }, parent),
       m_format(format),
@@ -22,7 +22,7 @@ Status ExportJob::write(const Progress& progress) {
     };
     const Status written = caught(
         [&] {
-          return m_format.write(readyOrder(m_files[i]), target, {tell, &m_notes});
+          return m_format.write(render::readyOrder(m_files[i]), target, {tell, &m_notes});
         },
         {.memory = "Take a smaller size, or close other programs",
          .library = "Export another kind of file"});

@@ -13,10 +13,10 @@ class ExportJob : public BackgroundJob {
   Q_OBJECT
  public:
   /// Starts writing; the format lives as long as the program.
-  ExportJob(const render::ExportFormat& format, std::vector<ExportFile> files,
+  ExportJob(const render::ExportFormat& format, std::vector<render::ExportPiece> files,
             QObject* parent = nullptr);
   ~ExportJob() override { end(); }
-  const std::vector<ExportFile>& files() const { return m_files; }
+  const std::vector<render::ExportPiece>& files() const { return m_files; }
   /// Returns what the files lack once all are written.
   const render::ExportNotes& notes() const { return m_notes; }
 
@@ -24,7 +24,7 @@ class ExportJob : public BackgroundJob {
   Status write(const Progress& progress);
 
   const render::ExportFormat& m_format;
-  const std::vector<ExportFile> m_files;
+  const std::vector<render::ExportPiece> m_files;
   render::ExportNotes m_notes;  ///< belongs to the thread until the job is done
 };
 

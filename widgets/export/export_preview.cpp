@@ -35,7 +35,7 @@ ExportPreview::~ExportPreview() {
     m_viewport->askPreviews({.previews = {}, .asker = PreviewsOf::exported});
 }
 
-void ExportPreview::show(const ExportFile& file) {
+void ExportPreview::show(const render::ExportPiece& file) {
   m_file = file;
   ++m_wanted;
   m_rest.start();
@@ -70,7 +70,7 @@ void ExportPreview::ask() {
     if (stop.stop_requested())
       return BackgroundQueue::Sequel();
     return BackgroundQueue::Sequel(
-        [this, number, order = readyOrder(file)] { draw(number, order); });
+        [this, number, order = render::readyOrder(file)] { draw(number, order); });
   });
 }
 
@@ -116,7 +116,7 @@ void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
 void ExportPreview::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (m_file)
-    show(ExportFile(*m_file));
+    show(render::ExportPiece(*m_file));
 }
 
 void ExportPreview::paintEvent(QPaintEvent*) {

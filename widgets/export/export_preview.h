@@ -25,7 +25,7 @@ class ExportPreview : public QWidget {
   ~ExportPreview() override;
 
   /// Shows the file soon; a later call before it is drawn replaces it.
-  void show(const ExportFile& file);
+  void show(const render::ExportPiece& file);
   /// Tells whether the preview shows what was asked for last.
   bool upToDate() const { return m_shown == m_wanted; }
   /// Returns the page that is shown; a null image before the first is there.
@@ -57,7 +57,7 @@ class ExportPreview : public QWidget {
 
   QPointer<Viewport> m_viewport;  ///< a window that closes may take it away first
   QTimer m_rest;
-  std::optional<ExportFile> m_file;
+  std::optional<render::ExportPiece> m_file;
   render::ExportOrder m_drawn;  ///< the order that the renderer was given
   int m_wanted = 0;             ///< counts the requests
   int m_shown = 0;

@@ -40,7 +40,7 @@ int shownLabels(const model::Scene& scene) {
                            [](const model::Annotation& each) { return each.visible; }));
 }
 
-QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+QString subjectText(const ExportDraft& draft, const std::vector<render::ExportPiece>& files) {
   const int structures = shownStructures(files.front().order.scene);
   if (files.size() > 1)
     return tr("%n files, one for each saved view: %1 … %2.", nullptr, int(files.size()))
@@ -77,9 +77,9 @@ QString cardText(const ExportDraft& draft, const render::ExportOrder& order) {
              : tr("At most %n cards.", nullptr, cards);
 }
 
-QString labelText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+QString labelText(const ExportDraft& draft, const std::vector<render::ExportPiece>& files) {
   int labels = 0;
-  for (const ExportFile& file : files)
+  for (const render::ExportPiece& file : files)
     labels = std::max(labels, shownLabels(file.order.scene));
   if (labels == 0 && sheetAddsLabels(draft))
     return tr("The sheet labels what is seen.");
@@ -95,7 +95,7 @@ QString labelText(const ExportDraft& draft, const std::vector<ExportFile>& files
                        : tr("%n labels, language: %1.", nullptr, labels).arg(languageName(tag));
 }
 
-QString sizeText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+QString sizeText(const ExportDraft& draft, const std::vector<render::ExportPiece>& files) {
   render::ExportPage page = draft.order.page;
   if (isSheet(draft))
     page.sizeMm = render::sheetPaperMm(files.front().order);
@@ -116,7 +116,7 @@ QString sizeText(const ExportDraft& draft, const std::vector<ExportFile>& files)
       .arg(millimetresText(page), pixelsText(page), numberText(std::lround(page.dpi)));
 }
 
-QString weightText(const std::vector<ExportFile>& files, std::optional<double> bytes) {
+QString weightText(const std::vector<render::ExportPiece>& files, std::optional<double> bytes) {
   if (!bytes)
     return tr("Its size is being measured.");
   if (*bytes <= 0.0)
@@ -188,8 +188,9 @@ QString pixelsText(const render::ExportPage& page) {
   return tr("%1 × %2 pixels").arg(numberText(pixels.x), numberText(pixels.y));
 }
 
-QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
-                          const std::vector<ExportFile>& pages, std::optional<double> bytes) {
+QStringList exportSummary(const ExportDraft& draft, const std::vector<render::ExportPiece>& files,
+                          const std::vector<render::ExportPiece>& pages,
+                          std::optional<double> bytes) {
   QStringList sentences{subjectText(draft, files), cardText(draft, files.front().order)};
   if (pageUseOf(draft.kind) != render::PageUse::none)
     sentences << labelText(draft, pages) << sizeText(draft, files);
@@ -199,8 +200,8 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
   return sentences;
 }
 
-QString exportDoubt(const std::vector<ExportFile>& pages) {
-  for (const ExportFile& file : pages) {
+QString exportDoubt(const std::vector<render::ExportPiece>& pages) {
+  for (const render::ExportPiece& file : pages) {
     if (shownStructures(file.order.scene) > 0)
       continue;
     return pages.size() == 1 ? tr("No structure is shown: the picture would be empty.")

@@ -20,12 +20,13 @@ QString pixelsText(const render::ExportPage& page);
 /// Returns plain sentences about what the files will contain; `pages` are what is previewed of
 /// them. Neither is empty. `bytes`: of
 /// one of them; 0 where they cannot be known, nothing while they are measured.
-QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
-                          const std::vector<ExportFile>& pages, std::optional<double> bytes);
+QStringList exportSummary(const ExportDraft& draft, const std::vector<render::ExportPiece>& files,
+                          const std::vector<render::ExportPiece>& pages,
+                          std::optional<double> bytes);
 
 /// Returns what the user should know beforehand, namely that nothing is shown; empty where all is
 /// well.
-QString exportDoubt(const std::vector<ExportFile>& pages);
+QString exportDoubt(const std::vector<render::ExportPiece>& pages);
 
 /// Returns a few lines on what a file of the order will lack, as far as that is known beforehand
 /// from the kind and from the previewed page; empty where all is well.

@@ -10,7 +10,7 @@ namespace sline::widgets {
 namespace {
 
 /// Tells whether the files have the same content, wherever they go.
-bool alike(const ExportFile& a, const ExportFile& b) {
+bool alike(const render::ExportPiece& a, const render::ExportPiece& b) {
   const std::vector<const render::ExportOption*> options = render::exportOptions();
   return a.filled == b.filled && a.order.page.sizeMm == b.order.page.sizeMm &&
          a.order.page.dpi == b.order.page.dpi && a.order.viewName == b.order.viewName &&
@@ -26,7 +26,7 @@ bool alike(const ExportFile& a, const ExportFile& b) {
 
 }  // namespace
 
-void SizeGauge::measure(const QString& kind, const ExportFile& file, const QImage& page) {
+void SizeGauge::measure(const QString& kind, const render::ExportPiece& file, const QImage& page) {
   const render::ExportFormat* format = formatOf(kind);
   if (!format || (m_asked > 0 && kind == m_kind && alike(file, m_file)))
     return;
@@ -39,8 +39,9 @@ void SizeGauge::measure(const QString& kind, const ExportFile& file, const QImag
     return;
   m_queue.add([this, number, format, file, page](const std::stop_token& stop) {
     const auto goOn = [&stop](double, std::string_view) { return !stop.stop_requested(); };
-    const double bytes =
-        stop.stop_requested() ? 0.0 : format->weigh(readyOrder(file), straightImage(page), goOn);
+    const double bytes = stop.stop_requested()
+                             ? 0.0
+                             : format->weigh(render::readyOrder(file), straightImage(page), goOn);
     return BackgroundQueue::Sequel([this, number, bytes] {
       if (m_retired) {
         deleteLater();
@@ -55,7 +56,7 @@ void SizeGauge::measure(const QString& kind, const ExportFile& file, const QImag
   });
 }
 
-std::optional<double> SizeGauge::bytes(const QString& kind, const ExportFile& file) const {
+std::optional<double> SizeGauge::bytes(const QString& kind, const render::ExportPiece& file) const {
   const render::ExportFormat* format = formatOf(kind);
   if (!format || !format->weigh)
     return 0.0;

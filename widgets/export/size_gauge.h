@@ -18,10 +18,10 @@ class SizeGauge : public QObject {
 
   /// Measures the file of that kind, given a small picture of its page; what was asked before is
   /// given up, unless it was the same.
-  void measure(const QString& kind, const ExportFile& file, const QImage& page);
+  void measure(const QString& kind, const render::ExportPiece& file, const QImage& page);
   /// Returns the bytes of that file; 0 where they cannot be known, nothing where they are not known
   /// yet.
-  std::optional<double> bytes(const QString& kind, const ExportFile& file) const;
+  std::optional<double> bytes(const QString& kind, const render::ExportPiece& file) const;
   /// Gives up what is being measured, and deletes itself when that has ended: whoever owned it need
   /// not wait.
   void retire();
@@ -31,7 +31,7 @@ class SizeGauge : public QObject {
 
  private:
   QString m_kind;
-  ExportFile m_file;
+  render::ExportPiece m_file;
   double m_bytes = 0.0;
   int m_asked = 0;
   int m_done = 0;

@@ -56,7 +56,7 @@ class Cards {
       const std::vector<model::View>& views = m_order.scene.views();
       m_share = 1.0 / double(views.size());
       for (const model::View& view : views) {
-        const ExportOrder one = orderOfView(m_order, view);
+        const ExportOrder one = pictureOfView(m_order, view);
         if (const Status added =
                 addView(one, titleOfView(view, language(), model::knownSides(one.scene)));
             !added.ok())

@@ -50,7 +50,7 @@ std::size_t ankiCardsAtMost(const ExportOrder& order) {
     return cardsOf(order);
   std::size_t cards = 0;
   for (const model::View& view : order.scene.views())
-    cards += cardsOf(orderOfView(order, view));
+    cards += cardsOf(pictureOfView(order, view));
   return cards;
 }
 

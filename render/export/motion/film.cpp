@@ -9,6 +9,7 @@
 
 #include "model/edit/views.h"
 #include "model/focus/turned_focus.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -109,22 +110,27 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
   tour.way = (options.seconds - resting) / (double(views.size()) - 1.0);
   if (tour.way <= 0.0 || options.hold.value_or(0.0) < 0.0)
     return tooLongRests(options.hold.value_or(resting), options.seconds);
+  const glm::vec2 size(filmSize(order));
+  const auto cameraOf = [aspect = size.x / size.y](const model::Scene& scene,
+                                                   const model::View& view) {
+    return fittedToPage(scene, view.camera, aspect);
+  };
   model::Scene before = model::withViewApplied(order.scene, views.front()).scene;
+  model::Camera from = cameraOf(before, views.front());
   for (const model::View& view : views)
     tour.said.push_back({view.name, view.words});
   tour.rests = rests;
-  tour.first = {before, views.front().camera, views.front().name,
-                false,  tour.restAt(0),       views.front().words,
-                0};
+  tour.first = {before, from, views.front().name, false, tour.restAt(0), views.front().words, 0};
   double leaves = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
     leaves += rests[i - 1];
     tour.leaves.push_back(leaves);
     leaves += tour.way;
     model::Scene next = model::withViewApplied(order.scene, views[i]).scene;
-    tour.legs.push_back({model::SceneBlend(before, next),
-                         model::CameraFlight(views[i - 1].camera, views[i].camera)});
+    const model::Camera to = cameraOf(next, views[i]);
+    tour.legs.push_back({model::SceneBlend(before, next), model::CameraFlight(from, to)});
     before = std::move(next);
+    from = to;
   }
   return tour;
 }

@@ -14,6 +14,7 @@
 #include "render/export/motion/film_painter.h"
 #include "render/export/motion/film_sink.h"
 #include "render/export/motion/subtitles.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -39,7 +40,8 @@ ExportCredit filmCredit(const ExportOrder& order) {
   if (motion == Motion::tour && !order.scene.views().empty()) {
     const model::View& view = order.scene.views().front();
     first.scene = model::withViewApplied(order.scene, view).scene;
-    first.camera = view.camera;
+    const glm::vec2 size(filmSize(order));
+    first.camera = fittedToPage(first.scene, view.camera, size.x / size.y);
     first.words = view.words;
   }
   return fileCredit(first, altTextOfFilm(first));

@@ -75,6 +75,12 @@ ExportOrder orderOfView(const ExportOrder& order, const model::View& view) {
   return one;
 }
 
+ExportOrder pictureOfView(const ExportOrder& order, const model::View& view) {
+  ExportOrder one = orderOfView(order, view);
+  one.camera = fittedToPage(one.scene, one.camera, one.page.sizeMm.x / one.page.sizeMm.y);
+  return one;
+}
+
 std::string titleOfView(const model::View& view, const std::string& language,
                         const model::KnownSides& sides) {
   const std::string& own = view.words.title.in(language);

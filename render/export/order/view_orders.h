@@ -28,6 +28,9 @@ bool wantsAllViews(const ExportOrder& order);
 /// Returns the order as it is for that view of its scene: with the view's look, camera, name and
 /// words. Its page is the order's.
 ExportOrder orderOfView(const ExportOrder& order, const model::View& view);
+/// Returns the same with the camera fitted to the order's page (`fittedToPage`), as everything
+/// shows it that is a picture of a view.
+ExportOrder pictureOfView(const ExportOrder& order, const model::View& view);
 
 /// Returns the title of a view in the language: its own, else its name, in words for a side of the
 /// body where what is drawn has sides (model::hasSides).

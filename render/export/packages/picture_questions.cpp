@@ -305,7 +305,7 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
     views.emplace_back(book.title, order);
   else
     for (const model::View& view : order.scene.views()) {
-      ExportOrder one = orderOfView(order, view);
+      ExportOrder one = pictureOfView(order, view);
       std::string title = titleOfView(view, book.language, model::knownSides(one.scene));
       views.emplace_back(std::move(title), std::move(one));
     }
@@ -335,7 +335,7 @@ std::size_t questionsAtMost(const ExportOrder& order) {
     return each * questionsOf(order).size();
   std::size_t questions = 0;
   for (const model::View& view : order.scene.views())
-    questions += each * questionsOf(orderOfView(order, view)).size();
+    questions += each * questionsOf(pictureOfView(order, view)).size();
   return questions;
 }
 

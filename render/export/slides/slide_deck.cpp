@@ -55,7 +55,8 @@ class Making {
 
   Result<SlideDeck> make() {
     if (!showsViews(m_order)) {
-      if (const Status added = addView(m_order, shownView(m_order), {0.0, 1.0}); !added.ok())
+      const model::View* const view = shownView(m_order);
+      if (const Status added = addView(slideFigure(m_order, view), view, {0.0, 1.0}); !added.ok())
         return added.error();
       addSources();
       return std::move(m_deck);
@@ -63,7 +64,7 @@ class Making {
     const std::vector<model::View>& views = m_order.scene.views();
     for (std::size_t i = 0; i < views.size(); ++i) {
       const Span span{double(i) / double(views.size()), 1.0 / double(views.size())};
-      if (const Status added = addView(orderOfView(m_order, views[i]), &views[i], span);
+      if (const Status added = addView(slideOfView(m_order, views[i]), &views[i], span);
           !added.ok())
         return added.error();
     }
@@ -79,7 +80,6 @@ class Making {
   };
 
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
-    order = slideFigure(std::move(order), view);
     order.labels.ground = order.environment.background;
     if (order.sources == SourceCredits::page)  // they have a slide
       order.sources = SourceCredits::off;

@@ -78,6 +78,12 @@ ExportOrder slideFigure(ExportOrder order, const model::View* view) {
   return order;
 }
 
+ExportOrder slideOfView(const ExportOrder& order, const model::View& view) {
+  ExportOrder page = order;
+  page.page.sizeMm = slidePageMm(order, &view);
+  return slideFigure(pictureOfView(page, view), &view);
+}
+
 bool showsViews(const ExportOrder& order) {
   return order.of<ViewsOptions>().subject != ViewSubject::shown && !order.scene.views().empty();
 }

@@ -41,6 +41,9 @@ glm::vec2 slidePageMm(const ExportOrder& order);
 /// without what the slide says itself.
 ExportOrder slideFigure(ExportOrder order, const model::View* view);
 
+/// Returns the order of the figure on the slide of one of its scene's views.
+ExportOrder slideOfView(const ExportOrder& order, const model::View& view);
+
 /// Tells whether slides show the saved views, and not what the order shows.
 bool showsViews(const ExportOrder& order);
 

@@ -251,7 +251,7 @@ class FilmLabelsTest : public QObject {
       if (frame.moving)
         continue;
       QVERIFY(frame.rest);
-      const FigurePlate still = figurePlate(orderOfView(order, order.scene.views()[*frame.rest]));
+      const FigurePlate still = figurePlate(pictureOfView(order, order.scene.views()[*frame.rest]));
       QCOMPARE(placesOf(plate), placesOf(still));
       if (rested.insert(*frame.rest).second)
         shown += plate.labels->layout.labels.size();

@@ -37,7 +37,9 @@ std::string written(const render::ExportOrder& order) {
 
 /// Returns the order as its figure is laid out for a picture.
 render::ExportOrder figureOf(const render::ExportOrder& order) {
-  return render::slideFigure(order, render::shownView(order));
+  const model::View* const view = render::shownView(order);
+  return view && render::showsViews(order) ? render::slideOfView(order, *view)
+                                           : render::slideFigure(order, view);
 }
 
 render::SlideBox figureFrame(const render::ExportOrder& order) {
