@@ -88,11 +88,9 @@ Result<std::map<std::string, std::string>> parseTexts(const std::vector<std::str
 }
 
 Result<model::NodeId> structureNamed(const model::Scene& scene, const std::string& name) {
-  const auto nodes = nodesNamed(scene, name);
-  if (!nodes.ok())
-    return nodes.error();
+  const auto nodes = TRY(nodesNamed(scene, name));
   std::vector<model::NodeId> structures;
-  for (const model::NodeId id : *nodes)
+  for (const model::NodeId id : nodes)
     if (!scene.find(id)->isGroup())
       structures.push_back(id);
   if (structures.size() == 1)
@@ -100,7 +98,7 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
   if (!structures.empty())
     return ambiguousName(scene, name, structures);
   std::string inside;
-  for (const model::NodeId id : scene.structuresBelow(nodes->front()))
+  for (const model::NodeId id : scene.structuresBelow(nodes.front()))
     inside += (inside.empty() ? "" : ", ") + scene.find(id)->name;
   return usageError("\"" + name + "\" is a group, which has no surface to point at",
                     "Name a structure in it: " + inside);
@@ -142,36 +140,30 @@ Result<model::Anchor> anchorOn(Where& where, model::NodeId structure) {
     return render::SeenMap::labelAt(structure, place).anchors.front();
   };
   if (where.scene.resolve(structure).visible) {
-    const Result<render::SeenPlace> place = found(where.map());
-    if (!place.ok())
-      return place.error();
-    if (place->hidden)
+    const render::SeenPlace place = TRY(found(where.map()));
+    if (place.hidden)
       warn(name + " is hidden by other structures in that view; the label points through them");
-    return anchor(*place);
+    return anchor(place);
   }
   const model::Scene alone = model::withOnlyVisible(where.scene, std::array{structure}).scene;
-  const Result<render::SeenPlace> place = found(render::SeenMap(alone, where.screen));
-  if (!place.ok())
-    return place.error();
+  const render::SeenPlace place = TRY(found(render::SeenMap(alone, where.screen)));
   warn(name + " is not visible in that view; nor is its label, until it is");
-  return anchor(*place);
+  return anchor(place);
 }
 
 Result<model::Anchor> anchorFor(Where& where, std::optional<model::NodeId> structure,
                                 const std::string& at) {
   if (at.empty())
     return anchorOn(where, *structure);
-  const Result<glm::vec3> place = parsePoint(at);
-  if (!place.ok())
-    return place.error();
+  const glm::vec3 place = TRY(parsePoint(at));
   if (!structure)
-    return model::Anchor(*place);
-  const auto nearest = model::nearestPoint(*where.scene.find(*structure)->mesh, *place);
+    return model::Anchor(place);
+  const auto nearest = model::nearestPoint(*where.scene.find(*structure)->mesh, place);
   if (!nearest)
     return usageError("\"" + where.scene.find(*structure)->name + "\" has no surface",
                       "Name another structure");
   const model::Anchor anchor = model::SurfacePoint{*structure, nearest->triangle, nearest->weights};
-  const float way = glm::distance(where.scene.placeOf(anchor).value_or(*place), *place);
+  const float way = glm::distance(where.scene.placeOf(anchor).value_or(place), place);
   if (way > 1.0f)
     warn(at + ": put on the surface, " + std::to_string(std::lround(way)) + " mm from there");
   return anchor;
@@ -179,17 +171,12 @@ Result<model::Anchor> anchorFor(Where& where, std::optional<model::NodeId> struc
 
 /// Returns the distance from that structure to the one that --to names, from --at if it is given.
 Result<Annotation> distanceFrom(model::NodeId from, const AnnotateFlags& flags, Where& where) {
-  const Result<model::NodeId> to = structureNamed(where.scene, flags.to);
-  if (!to.ok())
-    return to.error();
+  const model::NodeId to = TRY(structureNamed(where.scene, flags.to));
   std::optional<glm::vec3> at;
   if (!flags.at.empty()) {
-    const Result<glm::vec3> place = parsePoint(flags.at);
-    if (!place.ok())
-      return place.error();
-    at = *place;
+    at = TRY(parsePoint(flags.at));
   }
-  const std::optional<Annotation> distance = model::shortestDistance(where.scene, from, *to, at);
+  const std::optional<Annotation> distance = model::shortestDistance(where.scene, from, to, at);
   if (!distance)
     return usageError("one of the structures has no surface", "Name others");
   return *distance;
@@ -212,35 +199,25 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, Where& where,
   made.kind =
       AnnotationKind(std::find(annotationKindNames.begin(), annotationKindNames.end(), flags.kind) -
                      annotationKindNames.begin());
-  Result<std::map<std::string, std::string>> texts = parseTexts(flags.texts);
-  if (!texts.ok())
-    return texts.error();
-  made.texts = std::move(*texts);
+  made.texts = TRY(parseTexts(flags.texts));
   std::optional<model::NodeId> structure;
   if (on) {
-    const Result<model::NodeId> found = structureNamed(where.scene, *on);
-    if (!found.ok())
-      return found.error();
-    structure = *found;
+    structure = TRY(structureNamed(where.scene, *on));
     if (!flags.label && !namesEnd(flags))
       nameAfter(where.scene.find(*structure)->name, made);
   }
   if (flags.label)
     made.text = *flags.label;
   if (namesEnd(flags)) {
-    const Result<Annotation> distance = distanceFrom(*structure, flags, where);
-    if (!distance.ok())
-      return distance.error();
-    made.anchors = distance->anchors;
+    const Annotation distance = TRY(distanceFrom(*structure, flags, where));
+    made.anchors = distance.anchors;
     return made;
   }
   for (const std::string* place : {&flags.at, &flags.to}) {
     if (place == &flags.to && made.kind != AnnotationKind::distance)
       continue;
-    const Result<model::Anchor> anchor = anchorFor(where, structure, *place);
-    if (!anchor.ok())
-      return anchor.error();
-    made.anchors.push_back(*anchor);
+    const model::Anchor anchor = TRY(anchorFor(where, structure, *place));
+    made.anchors.push_back(anchor);
   }
   // A place that the user has given stays; any other is found anew for each picture.
   made.found = flags.at.empty();
@@ -285,30 +262,26 @@ Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFla
   PictureSpec spec;
   spec.view = flags.view;
   const model::Scene shown = withSavedView(scene, spec);
-  const Result<model::Camera> camera = cameraFor(shown, spec);
-  if (!camera.ok())
-    return camera.error();
+  const model::Camera camera = TRY(cameraFor(shown, spec));
   const model::View* saved = savedView(scene, flags.view);
   const auto view = saved ? std::optional(std::size_t(saved - scene.views().data())) : std::nullopt;
   if (flags.onlyInView && !view)
     return usageError("\"" + flags.view + "\" is no saved view", "Name one with --view");
   const float height = render::usualHeightMm;
-  Where where(shown, render::Screen(*camera, {spec.size.aspect() * height, height}));
+  Where where(shown, render::Screen(camera, {spec.size.aspect() * height, height}));
   std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());
   if (targets.empty())
     targets.emplace_back();
   model::Scene after = scene;
   for (const std::optional<std::string>& on : targets) {
-    const Result<Annotation> made = annotationFor(flags, where, on);
-    if (!made.ok())
-      return made.error();
+    const Annotation made = TRY(annotationFor(flags, where, on));
     if (!flags.onlyInView) {
-      after = (view && flags.viewGiven ? model::withAnnotationMade(after, *made, view)
-                                       : model::withAnnotationForAll(after, *made))
+      after = (view && flags.viewGiven ? model::withAnnotationMade(after, made, view)
+                                       : model::withAnnotationForAll(after, made))
                   .scene;
       continue;
     }
-    after = model::withAnnotation(after, *made).scene;
+    after = model::withAnnotation(after, made).scene;
     const model::AnnotationId id = after.annotations().back().id;
     after = model::withAnnotationOnlyInView(after, id, *view).scene;
   }

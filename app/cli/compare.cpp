@@ -48,49 +48,34 @@ Result<std::vector<model::Technique>> parseTechniques(const std::vector<std::str
         if (facts.drawsLines())
           techniques.push_back(facts.technique);
     } else {
-      const Result<std::size_t> place =
-          parseName(model::namesOf(model::Technique()), "technique", name);
-      if (!place.ok())
-        return place.error();
-      if (!render::techniqueList()[*place].drawsLines())
+      const std::size_t place =
+          TRY(parseName(model::namesOf(model::Technique()), "technique", name));
+      if (!render::techniqueList()[place].drawsLines())
         return Error{.reason = name + " is made of pixels, and the sheet compares lines",
                      .remedy = "Leave it out; sline render draws it"};
-      techniques.push_back(model::Technique(*place));
+      techniques.push_back(model::Technique(place));
     }
   return techniques;
 }
 
 Result<CompareSpec> parseCompareFlags(const CompareFlags& flags) {
   CompareSpec spec;
-  const Result<model::ImportOptions> options = importOptions(flags.input);
-  if (!options.ok())
-    return options.error();
-  spec.import = *options;
-  if (const Status named = render::checkSheetName(flags.picture.output); !named.ok())
-    return named.error();
+  spec.import = TRY(importOptions(flags.input));
+  TRY(render::checkSheetName(flags.picture.output));
   PictureFlags picture = flags.picture;
   picture.size = "1000x1000";
-  const Result<PictureSpec> parsed = parseFlagsWithoutOutput(picture);
-  if (!parsed.ok())
-    return parsed.error();
-  spec.picture = *parsed;
-  const auto techniques = parseTechniques(flags.techniques);
-  if (!techniques.ok())
-    return techniques.error();
-  spec.order.techniques = *techniques;
+  spec.picture = TRY(parseFlagsWithoutOutput(picture));
+  spec.order.techniques = TRY(parseTechniques(flags.techniques));
   spec.order.thresholds = spec.picture.lineThresholds;
   spec.order.cellMm = float(flags.cellMm);
   for (const std::string& text : flags.noise) {
-    const Result<render::Noise> noise = render::parseNoise(text);
-    if (!noise.ok())
-      return noise.error();
-    spec.noise.push_back(*noise);
+    const render::Noise noise = TRY(render::parseNoise(text));
+    spec.noise.push_back(noise);
   }
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.picture.cameraFile);
   const Target sheet{.flag = "--output", .name = flags.picture.output, .endings = {}};
-  if (const Status fine = checkTargets({&sheet, 1}, read); !fine.ok())
-    return fine.error();
+  TRY(checkTargets({&sheet, 1}, read));
   return spec;
 }
 
@@ -112,18 +97,12 @@ Status addRows(const std::string& input, const CompareFlags& flags, CompareSpec&
                Progress& progress) {
   InputFlags one = flags.input;
   one.inputs = {input};
-  const Result<model::Imported> imported = readInputs(one, spec.import, progress);
-  if (!imported.ok())
-    return imported.error();
-  const model::Scene seen = withSavedView(imported->scene, spec.picture);
-  const Result<model::Scene> shown = styled(seen, spec.picture);
-  if (!shown.ok())
-    return shown.error();
-  const Result<model::Camera> camera = cameraFor(*shown, spec.picture);
-  if (!camera.ok())
-    return camera.error();
+  const model::Imported imported = TRY(readInputs(one, spec.import, progress));
+  const model::Scene seen = withSavedView(imported.scene, spec.picture);
+  const model::Scene shown = TRY(styled(seen, spec.picture));
+  const model::Camera camera = TRY(cameraFor(shown, spec.picture));
   const render::ComparedModel row{
-      .name = rowName(*shown, input), .note = {}, .scene = *shown, .camera = *camera};
+      .name = rowName(shown, input), .note = {}, .scene = shown, .camera = camera};
   spec.order.models.push_back(row);
   for (const render::Noise& noise : spec.noise)
     spec.order.models.push_back(render::roughened(row, noise));

@@ -32,8 +32,7 @@ Status checkComposeTargets(const ComposeFlags& flags, const std::vector<std::str
   read.push_back(flags.figure);
   std::vector<Target> targets;
   for (const std::string& output : flags.outputs) {
-    if (const Status named = render::checkPageName(output, "a figure"); !named.ok())
-      return named;
+    TRY(render::checkPageName(output, "a figure"));
     targets.push_back({.flag = "--output", .name = output, .endings = {}});
   }
   return checkTargets(targets, read);
@@ -51,20 +50,15 @@ Result<ReadScenes> readScenes(const model::Figure& figure, const std::string& fi
     const std::string& name = model::sceneOf(figure, panel);
     if (panel.inset || name.empty() || read.scenes.contains(name))
       continue;
-    const Result<std::filesystem::path> path = model::scenePath(file, name);
-    if (!path.ok())
-      return path.error();
-    Result<model::SceneDocument> document = openedScene(path->string());
-    if (!document.ok())
-      return document.error();
-    if (model::hasDoubtedUnits(document->scene))
+    const std::filesystem::path path = TRY(model::scenePath(file, name));
+    model::SceneDocument document = TRY(openedScene(path.string()));
+    if (model::hasDoubtedUnits(document.scene))
       warn(
           file + ": " + name +
           ": nobody has said how long the unit of its files is; lengths stand with a \"?\", and so "
           "do scale bars that hold for it, too");
-    read.scenes.emplace(name,
-                        std::make_shared<const model::Scene>(model::dressed(document->scene)));
-    read.files.push_back(path->string());
+    read.scenes.emplace(name, std::make_shared<const model::Scene>(model::dressed(document.scene)));
+    read.files.push_back(path.string());
   }
   return read;
 }

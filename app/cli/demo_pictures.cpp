@@ -28,11 +28,8 @@ constexpr int mostColours = 192;
 
 Status writePicture(const render::HeadlessPicture& picture, const model::Scene& scene,
                     const render::CardPicture& card, const std::filesystem::path& file) {
-  const Result<render::Image> image =
-      picture->render(scene, card.camera, card.settings, card.samples);
-  if (!image.ok())
-    return image.error();
-  return model::writeText(file, render::pngOfFewColours(*image, mostColours));
+  const render::Image image = TRY(picture->render(scene, card.camera, card.settings, card.samples));
+  return model::writeText(file, render::pngOfFewColours(image, mostColours));
 }
 
 /// Returns the scene with lines and strokes for a picture that is shown a few fingers wide.
@@ -56,16 +53,11 @@ Status writeDrawings(const render::HeadlessPicture& picture, const model::Scene&
   model::FormIndex forms;
   for (const model::DrawingStyle& style : model::drawingStyles()) {
     render::CardPicture card = render::cardPicture(scene);
-    const Result<render::Background> background = parseBackground(std::string(style.background));
-    if (!background.ok())
-      return background.error();
-    card.settings.environment.background = *background;
+    card.settings.environment.background = TRY(parseBackground(std::string(style.background)));
     const model::Scene drawn =
         model::withDrawingStyle(scene, style, forms, {.camera = card.camera}).scene;
-    if (const Status written = writePicture(picture, withBroadLines(drawn), card,
-                                            folder / ("drawing-" + std::string(style.id) + ".png"));
-        !written.ok())
-      return written;
+    TRY(writePicture(picture, withBroadLines(drawn), card,
+                     folder / ("drawing-" + std::string(style.id) + ".png")));
   }
   return Unit{};
 }

@@ -10,26 +10,16 @@ namespace sline::cli {
 namespace {
 /// Does the same as `arrangedFor` for a scene that `asSaved` returned.
 Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const PictureSpec& spec) {
-  const Result<model::Scene> focus = inFocus(shown, spec);
-  if (!focus.ok())
-    return focus.error();
-  const Result<model::Scene> drawn = inDrawingStyle(*focus, spec);
-  if (!drawn.ok())
-    return drawn.error();
+  const model::Scene focus = TRY(inFocus(shown, spec));
+  const model::Scene drawn = TRY(inDrawingStyle(focus, spec));
   PictureSpec colours = spec;
   colours.blackAndWhite = false;
-  const Result<model::Scene> dressed = styled(*drawn, colours);
-  if (!dressed.ok())
-    return dressed.error();
-  const Result<model::Scene> cut = cutOpen(*dressed, spec);
-  if (!cut.ok())
-    return cut.error();
-  const Result<model::Camera> camera = cameraFor(*cut, spec);
-  if (!camera.ok())
-    return camera.error();
+  const model::Scene dressed = TRY(styled(drawn, colours));
+  const model::Scene cut = TRY(cutOpen(dressed, spec));
+  const model::Camera camera = TRY(cameraFor(cut, spec));
   if (!spec.blackAndWhite)
-    return ArrangedScene{*cut, *camera, {}};
-  return ArrangedScene{model::withInkAlone(*cut).scene, *camera, render::looksInColour(*cut)};
+    return ArrangedScene{cut, camera, {}};
+  return ArrangedScene{model::withInkAlone(cut).scene, camera, render::looksInColour(cut)};
 }
 }  // namespace
 
@@ -41,14 +31,11 @@ Result<ArrangedScene> arrangeScene(const model::Scene& scene, const PictureSpec&
 
 Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene& scene,
                                     PictureSpec& spec) {
-  const Result<model::Scene> shown = withOpeningLook(withSavedView(scene, spec), spec);
-  if (!shown.ok())
-    return shown.error();
+  const model::Scene shown = TRY(withOpeningLook(withSavedView(scene, spec), spec));
   spec.labels.viewName = shownViewName(scene, spec);
   spec.labels.words = shownViewWords(scene, spec);
-  if (const Status ready = prepareLabels(spec.labels, *shown, pageMm); !ready.ok())
-    return ready.error();
-  Result<ArrangedScene> arranged = arrangeShownScene(*shown, spec);
+  TRY(prepareLabels(spec.labels, shown, pageMm));
+  Result<ArrangedScene> arranged = arrangeShownScene(shown, spec);
   if (arranged.ok())
     spec.labels.style.inColour = arranged->inColour;
   return arranged;

@@ -47,14 +47,12 @@ Result<PictureSpec> parsePictureFlags(const ExportFlags& flags, const render::Ex
       known += (known.empty() ? "Give --" : ", --") + std::string(format.id) + " FILE";
     return Error{.reason = "nothing says what to write", .remedy = known};
   }
-  Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
-  if (!spec.ok())
-    return spec;
-  if (spec->hatching == render::HatchingMethod::asPrinted)
+  PictureSpec spec = TRY(parseFlagsWithoutOutput(flags.picture));
+  if (spec.hatching == render::HatchingMethod::asPrinted)
     return Error{.reason = "hatching as Sline's paper prints it is made of grey pixels, not lines",
                  .remedy = "Leave --hatching out, or draw a picture with `sline render`"};
   // The camera is fitted to the page's shape.
-  spec->size = {int(std::lround(100.0f * page.sizeMm.x)), int(std::lround(100.0f * page.sizeMm.y))};
+  spec.size = {int(std::lround(100.0f * page.sizeMm.x)), int(std::lround(100.0f * page.sizeMm.y))};
   return spec;
 }
 
@@ -93,38 +91,29 @@ Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
 Result<ParsedExport> parseExport(const ExportFlags& typed) {
   ParsedExport wish;
   ExportFlags flags = typed;
-  const Result<model::ImportOptions> import = importOptions(flags.input);
-  if (!import.ok())
-    return import.error();
-  wish.import = *import;
-  const Result<render::ExportPage> page = parseFlags(flags.page);
-  if (!page.ok())
-    return page.error();
-  wish.job.page = *page;
+  wish.import = TRY(importOptions(flags.input));
+  const render::ExportPage page = TRY(parseFlags(flags.page));
+  wish.job.page = page;
   TypedOptions options = flags.options;
   completeFilmSize(options, flags.page.sizeMm != PageFlags().sizeMm || !flags.page.sizePx.empty());
   const bool oneShown = !flags.picture.view.empty() || !flags.picture.cameraFile.empty();
   if (oneShown && options.typed(render::viewsOption).empty())
     options.set(render::viewsOption, "shown");
-  if (const Status fine = options.applyTo(wish.job); !fine.ok())
-    return fine.error();
-  if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
-    return fine.error();
+  TRY(options.applyTo(wish.job));
+  TRY(checkOptions(flags, wish.job));
   // Reduced to what files can hold.
   wish.job.credit = {render::plainLine(wish.job.credit.author),
                      render::plainLine(wish.job.credit.copyright)};
   // Without a word about labels a sheet has those of its kind.
   if (wish.job.of<render::SheetOptions>().kind != render::SheetKind::none)
     flags.picture.labels.mode = render::LabelMode::off;
-  const Result<PictureSpec> spec = parsePictureFlags(flags, *page);
-  if (!spec.ok())
-    return spec.error();
-  wish.spec = *spec;
+  const PictureSpec spec = TRY(parsePictureFlags(flags, page));
+  wish.spec = spec;
   wish.spec.labels.sources = wish.job.sources;
-  wish.job.environment = spec->environment;
-  wish.job.pureInk = spec->blackAndWhite;
+  wish.job.environment = spec.environment;
+  wish.job.pureInk = spec.blackAndWhite;
   wish.spec.blackAndWhite = false;  // colours go last, when the order of a kind is made
-  spec->labels.writeTo(wish.job);
+  spec.labels.writeTo(wish.job);
   return wish;
 }
 
@@ -145,11 +134,8 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
   job.camera = arranged.camera;
   job.viewName = wish.spec.labels.viewName;
   job.words = wish.spec.labels.words;
-  if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
-      !fine.ok())
-    return fine.error();
-  if (const Status fine = checkAskedNames(job); !fine.ok())
-    return fine.error();
+  TRY(parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>()));
+  TRY(checkAskedNames(job));
   // Pictures beside a sheet are of its figure.
   if (hasSheet(job) && !areAllViews(job))
     job.page.sizeMm = render::sheetFigureMm(job);

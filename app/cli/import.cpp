@@ -29,8 +29,7 @@ Result<model::ImportOptions> parseImportFlags(const ImportFlags& flags) {
                  .remedy = "Name it so"};
   const Target scene{.flag = "--output", .name = flags.output, .endings = {}, .scene = true};
   if (!flags.output.empty())
-    if (const Status fine = checkTargets({&scene, 1}, flags.input.inputs); !fine.ok())
-      return fine.error();
+    TRY(checkTargets({&scene, 1}, flags.input.inputs));
   return importOptions(flags.input);
 }
 

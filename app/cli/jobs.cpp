@@ -154,13 +154,10 @@ class JobPlanner {
   Result<std::vector<PlannedJob>> of(const std::vector<Job>& jobs) {
     std::vector<PlannedJob> plannedJobs;
     for (const Job& job : jobs) {
-      Result<PlannedJob> planned = planOf(job);
-      if (!planned.ok())
-        return planned.error();
-      plannedJobs.push_back(std::move(*planned));
+      PlannedJob planned = TRY(planOf(job));
+      plannedJobs.push_back(std::move(planned));
     }
-    if (const Status apart = checkEachOther(plannedJobs); !apart.ok())
-      return apart.error();
+    TRY(checkEachOther(plannedJobs));
     return plannedJobs;
   }
 
@@ -185,8 +182,7 @@ class JobPlanner {
     m_film.file.reset();
     m_package = {};
     for (const JobField& field : job.fields)
-      if (const Status added = add(field, planned); !added.ok())
-        return added.error();
+      TRY(add(field, planned));
     if (planned.targets.empty())
       return Error{.where = job.where,
                    .reason = "it says nothing of what to write",
@@ -201,10 +197,8 @@ class JobPlanner {
   }
 
   Status checkNames(const PlannedJob& planned) {
-    if (const Status film = addFilmTarget(m_film, m_named); !film.ok())
-      return film;
-    if (const Status package = addPackageTarget(m_package, m_named); !package.ok())
-      return package;
+    TRY(addFilmTarget(m_film, m_named));
+    TRY(addPackageTarget(m_package, m_named));
     std::vector<std::string> read = planned.inputs;
     read.push_back(m_list);
     return checkTargets(exportTargets(m_named), read);
@@ -232,10 +226,7 @@ class JobPlanner {
       m_package.kind = field.values.front();
     const std::string flag = "--" + field.flag;
     if (option->get_items_expected_max() == 0) {
-      const Result<bool> said = isSwitchedOn(field);
-      if (!said.ok())
-        return said.error();
-      if (*said)
+      if (TRY(isSwitchedOn(field)))
         planned.flags.push_back(flag);
       return Unit{};
     }

@@ -60,28 +60,13 @@ Result<LinesSpec> parseLinesFlags(const LinesFlags& flags) {
   InputFlags input = flags.input;
   if (input.smooth.empty())
     input.smooth = "off";
-  const Result<model::ImportOptions> options = importOptions(input);
-  if (!options.ok())
-    return options.error();
-  spec.import = *options;
-  const Result<Size> size = parseSize(flags.size);
-  if (!size.ok())
-    return size.error();
-  spec.size = *size;
+  spec.import = TRY(importOptions(input));
+  spec.size = TRY(parseSize(flags.size));
   spec.kinds = flags.kinds;
   const std::string allEntered = spec.wants("hatching") ? "3" : "2";
-  const Result<Gamma> gamma = parseGamma(flags.gamma.empty() ? allEntered : flags.gamma);
-  if (!gamma.ok())
-    return gamma.error();
-  spec.gamma = *gamma;
-  const Result<model::Camera> camera = readCamera(flags.camera);
-  if (!camera.ok())
-    return camera.error();
-  spec.camera = *camera;
-  const Result<SectionsSpec> sections = parseFlags(flags.sections);
-  if (!sections.ok())
-    return sections.error();
-  spec.sections = *sections;
+  spec.gamma = TRY(parseGamma(flags.gamma.empty() ? allEntered : flags.gamma));
+  spec.camera = TRY(readCamera(flags.camera));
+  spec.sections = TRY(parseFlags(flags.sections));
   return spec;
 }
 

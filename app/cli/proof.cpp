@@ -223,11 +223,7 @@ Result<Proofs> proofsOf(const render::ExportOrder& job, const PictureSpec& spec,
   if (!print.ok())
     return print.error();
   Proofs proofs{.print = std::move(*print), .subject = model::emphasisedIn(job.scene), .plate = {}};
-  const Result<render::PlateProof> plate =
-      render::plateProof(job.scene, job.camera, proofs.subject, spec.size.aspect());
-  if (!plate.ok())
-    return plate.error();
-  proofs.plate = *plate;
+  proofs.plate = TRY(render::plateProof(job.scene, job.camera, proofs.subject, spec.size.aspect()));
   return proofs;
 }
 
@@ -240,21 +236,14 @@ Status writeVisions(const render::ExportOrder& job, const PictureSpec& spec,
     return Error{.file = folder.string(),
                  .reason = "the folder cannot be made: " + failure.message(),
                  .remedy = "Choose a place that you may write to"};
-  const auto picture = render::HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
-  const Result<render::Image> image = (*picture)->render(
+  const auto picture = TRY(render::HeadlessPicture::create());
+  const render::Image image = TRY(picture->render(
       job.scene, job.camera,
       {.width = spec.size.width, .height = spec.size.height, .environment = spec.environment},
-      spec.samples);
-  if (!image.ok())
-    return image.error();
+      spec.samples));
   for (const render::Vision vision : render::visions)
-    if (const Status written =
-            render::writeImage(render::simulateVision(*image, vision),
-                               folder / ("proof_" + std::string(render::nameOf(vision)) + ".png"));
-        !written.ok())
-      return written;
+    TRY(render::writeImage(render::simulateVision(image, vision),
+                           folder / ("proof_" + std::string(render::nameOf(vision)) + ".png")));
   return Unit{};
 }
 

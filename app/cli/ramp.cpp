@@ -268,8 +268,7 @@ std::optional<Exit> measureAll(const MeasureSpec& spec, const RampFlags& flags, 
 Status checkSheet(const RampFlags& flags) {
   if (flags.sheet.empty())
     return Unit{};
-  if (const Status named = render::checkImageName(flags.sheet); !named.ok())
-    return named;
+  TRY(render::checkImageName(flags.sheet));
   std::vector<std::string> read = flags.measure.input.inputs;
   read.push_back(flags.measure.cameraFile);
   const Target sheet{.flag = "--sheet", .name = flags.sheet, .endings = {}};

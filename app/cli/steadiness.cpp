@@ -77,12 +77,10 @@ void printSteadiness(const MeasuredSteadiness& measured) {
 
 Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subject& subject,
                                    Gamma gamma, const SteadinessFlags& flags) {
-  const auto steadiness = measureSteadiness(
+  const auto steadiness = TRY(measureSteadiness(
       picture.drawing(), subject,
-      {.gamma = gamma, .frames = flags.frames, .oversampling = flags.oversampling});
-  if (!steadiness.ok())
-    return steadiness.error();
-  MeasuredSteadiness measured{.name = subject.structure().name, .steadiness = *steadiness};
+      {.gamma = gamma, .frames = flags.frames, .oversampling = flags.oversampling}));
+  MeasuredSteadiness measured{.name = subject.structure().name, .steadiness = steadiness};
   measured.faults = render::faults(measured.steadiness);
   return measured;
 }

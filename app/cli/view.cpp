@@ -99,33 +99,19 @@ Status chooseLabels(const model::Scene& scene, const std::string& text, model::V
 /// view that it replaces: what they do not say stays as that has it.
 Result<model::View> viewFromFlags(const model::Scene& scene, const ViewFlags& flags,
                                   const std::string& name, const model::View* before = nullptr) {
-  Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
-  if (!spec.ok())
-    return spec.error();
-  const bool fromBefore = before && !savedView(scene, spec->view);
+  PictureSpec spec = TRY(parseFlagsWithoutOutput(flags.picture));
+  const bool fromBefore = before && !savedView(scene, spec.view);
   const model::Scene start =
-      fromBefore ? model::withViewApplied(scene, *before).scene : withSavedView(scene, *spec);
-  if (fromBefore && spec->view.empty() && !spec->camera)
-    spec->camera = before->camera;
-  const Result<model::Scene> focus = inFocus(start, *spec);
-  if (!focus.ok())
-    return focus.error();
-  const Result<model::Scene> dressed = styled(*focus, *spec);
-  if (!dressed.ok())
-    return dressed.error();
-  const Result<model::Scene> cut = cutOpen(*dressed, *spec);
-  if (!cut.ok())
-    return cut.error();
-  const Result<model::Camera> camera = cameraFor(*cut, *spec);
-  if (!camera.ok())
-    return camera.error();
-  model::View view = model::viewOf(*cut, *camera, name);
-  if (const Status chosen = chooseLabels(scene, flags.labels, view); !chosen.ok())
-    return chosen.error();
-  const Result<model::ViewWords> words = withWordFlags({}, flags.words);
-  if (!words.ok())
-    return words.error();
-  view.words = *words;
+      fromBefore ? model::withViewApplied(scene, *before).scene : withSavedView(scene, spec);
+  if (fromBefore && spec.view.empty() && !spec.camera)
+    spec.camera = before->camera;
+  const model::Scene focus = TRY(inFocus(start, spec));
+  const model::Scene dressed = TRY(styled(focus, spec));
+  const model::Scene cut = TRY(cutOpen(dressed, spec));
+  const model::Camera camera = TRY(cameraFor(cut, spec));
+  model::View view = model::viewOf(cut, camera, name);
+  TRY(chooseLabels(scene, flags.labels, view));
+  view.words = TRY(withWordFlags({}, flags.words));
   return view;
 }
 
@@ -153,35 +139,24 @@ Outcome addNamedView(const model::Scene& scene, const ViewFlags& flags) {
   if (savedView(scene, flags.add))
     return Error{.reason = "a view named \"" + flags.add + "\" is already saved",
                  .remedy = "Take another name, or --update it"};
-  Result<model::View> view = viewFromFlags(scene, flags, flags.add);
-  if (!view.ok())
-    return view.error();
+  model::View view = TRY(viewFromFlags(scene, flags, flags.add));
   if (flags.labels.empty())
-    takeUnclaimed(scene, *view);
+    takeUnclaimed(scene, view);
   warnOfSide(flags.add);
-  return model::withView(scene, *view);
+  return model::withView(scene, view);
 }
 
 /// Changes what is said with a view.
 Outcome tellOfView(const model::Scene& scene, const ViewFlags& flags, const std::string& name) {
-  const Result<std::size_t> place = indexOfView(scene, name);
-  if (!place.ok())
-    return place.error();
-  const auto words = withWordFlags(scene.views()[*place].words, flags.words);
-  if (!words.ok())
-    return words.error();
-  return model::withViewWords(scene, *place, *words);
+  const std::size_t place = TRY(indexOfView(scene, name));
+  const auto words = TRY(withWordFlags(scene.views()[place].words, flags.words));
+  return model::withViewWords(scene, place, words);
 }
 
 Outcome updateNamedView(const model::Scene& scene, const ViewFlags& flags) {
-  const Result<std::size_t> place = indexOfView(scene, flags.update);
-  if (!place.ok())
-    return place.error();
-  const Result<model::View> view =
-      viewFromFlags(scene, flags, flags.update, &scene.views()[*place]);
-  if (!view.ok())
-    return view.error();
-  model::Edited updated = model::withViewUpdated(scene, *place, *view);
+  const std::size_t place = TRY(indexOfView(scene, flags.update));
+  const model::View view = TRY(viewFromFlags(scene, flags, flags.update, &scene.views()[place]));
+  model::Edited updated = model::withViewUpdated(scene, place, view);
   if (!flags.words.any())
     return updated;
   Outcome told = tellOfView(updated.scene, flags, flags.update);
@@ -221,20 +196,16 @@ Outcome moveView(const model::Scene& scene, const std::string& text) {
   if (!named || !position)
     return Error{.reason = "--move " + text + " gives no position",
                  .remedy = "Write --move NAME=POSITION; 1 is the first"};
-  const Result<std::size_t> place = indexOfView(scene, named->name);
-  if (!place.ok())
-    return place.error();
+  const std::size_t place = TRY(indexOfView(scene, named->name));
   if (*position > count)
     return Error{.reason = "position " + named->value + " is beyond the last view",
                  .remedy = "The scene has " + std::to_string(count)};
-  return model::withViewMoved(scene, *place, std::size_t(*position - 1));
+  return model::withViewMoved(scene, place, std::size_t(*position - 1));
 }
 
 Outcome removeView(const model::Scene& scene, const std::string& name) {
-  const Result<std::size_t> place = indexOfView(scene, name);
-  if (!place.ok())
-    return place.error();
-  return model::withoutView(scene, *place);
+  const std::size_t place = TRY(indexOfView(scene, name));
+  return model::withoutView(scene, place);
 }
 
 Outcome applyEdit(const model::Scene& given, const ViewFlags& flags) {

@@ -48,9 +48,13 @@ class [[nodiscard]] Result {
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
 
-  const Error& error() const {
+  const Error& error() const& {
     assert(!ok());
     return *std::get_if<1>(&m_state);
+  }
+  Error&& error() && {
+    assert(!ok());
+    return std::move(*std::get_if<1>(&m_state));
   }
 
  private:
@@ -61,4 +65,23 @@ struct Unit {};
 /// Tells of success without a value, or holds the reason of the failure.
 using Status = Result<Unit>;
 
+/// Returns the error; out of line, as it is rare.
+Error handedOn(Error&& error);
+/// Returns what the result holds.
+template <class T>
+T taken(Result<T>&& result) {
+  return std::move(result).value();
+}
+
 }  // namespace sline
+
+/// Is the value of the expression, a `Result`; where there is none, the function that this stands
+/// in returns the error. Of a `Status` it is a statement: `TRY(written(file));`. (A statement in an
+/// expression is an extension that g++ and clang share.)
+#define TRY(...)                                        \
+  __extension__({                                       \
+    auto tried = (__VA_ARGS__);                         \
+    if (!tried.ok())                                    \
+      return sline::handedOn(std::move(tried).error()); \
+    sline::taken(std::move(tried));                     \
+  })

@@ -157,12 +157,9 @@ bool mayBeWritten(const fs::path& file) {
 
 Status writeText(const fs::path& file, std::string_view text) {
   return writeBeside(file, [&](const fs::path& target) -> Status {
-    const Result<std::unique_ptr<GrowingFile>> growing = GrowingFile::create(target);
-    if (!growing.ok())
-      return growing.error();
-    if (Status written = (*growing)->add(text); !written.ok())
-      return written;
-    return (*growing)->close();
+    const std::unique_ptr<GrowingFile> growing = TRY(GrowingFile::create(target));
+    TRY(growing->add(text));
+    return growing->close();
   });
 }
 

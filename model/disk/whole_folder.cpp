@@ -41,8 +41,7 @@ Status free(const fs::path& folder) {
 Status writeFolder(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
   // "frames/" ends with an empty name.
   const fs::path folder = named.has_filename() ? named : named.parent_path();
-  if (Status place = free(folder); !place.ok())
-    return place;
+  TRY(free(folder));
   std::error_code failure;
   const auto part = PartBeside::take(folder, PartBeside::Kind::folder, failure);
   if (!part)

@@ -180,15 +180,13 @@ Result<ZipReader> ZipReader::open(std::string_view bytes, const ZipLimits& limit
     return Error{.reason = "it has more than " + std::to_string(limits.members) + " members"};
   std::uint64_t unpacked = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
-    Result<Entry> entry = reader.checkedEntry(i, limits);
-    if (!entry.ok())
-      return entry.error();
-    if (entry->name.back() == '/')
+    Entry entry = TRY(reader.checkedEntry(i, limits));
+    if (entry.name.back() == '/')
       continue;
-    if (entry->size > limits.unpackedBytes || (unpacked += entry->size) > limits.unpackedBytes)
+    if (entry.size > limits.unpackedBytes || (unpacked += entry.size) > limits.unpackedBytes)
       return Error{.reason = "its members would take more than " +
                              std::to_string(limits.unpackedBytes) + " bytes"};
-    reader.m_entries.push_back(std::move(*entry));
+    reader.m_entries.push_back(std::move(entry));
   }
   if (!withinRatio(unpacked, bytes.size(), limits))
     return Error{.reason = "it would grow to more than " + std::to_string(limits.ratio) +

@@ -37,16 +37,13 @@ Result<Figure> figureFromText(std::string_view text) {
         whole.fail("\"" + std::string(key) + "\" is missing");
   if (fault.any())
     return Error{.where = fault.where, .reason = fault.reason, .remedy = remedy};
-  if (const Status fine = checkFigure(figure); !fine.ok())
-    return fine.error();
+  TRY(checkFigure(figure));
   return figure;
 }
 
 Result<Figure> readFigure(const std::filesystem::path& file) {
-  const Result<std::string> text = readText(file, figureLimits.bytes);
-  if (!text.ok())
-    return text.error();
-  Result<Figure> figure = figureFromText(*text);
+  const std::string text = TRY(readText(file, figureLimits.bytes));
+  Result<Figure> figure = figureFromText(text);
   if (figure.ok())
     return figure;
   Error error = figure.error();

@@ -47,11 +47,9 @@ class Layout {
     m_layout.panels.resize(m_figure.panels.size());
     for (const auto step :
          {&Layout::nameLetters, &Layout::link, &Layout::putInOrder, &Layout::fillGrid})
-      if (const Status done = (this->*step)(); !done.ok())
-        return done.error();
+      TRY((this->*step)());
     placeAll(legendMm);
-    if (const Status fine = checkPlaces(); !fine.ok())
-      return fine.error();
+    TRY(checkPlaces());
     return std::move(m_layout);
   }
 
@@ -97,11 +95,9 @@ class Layout {
         return fault(i, "a camera is either like another or fits", "Leave \"fit\" out");
       if (panel.camera && panel.camera->centred && !likes)
         return fault(i, "\"centred\" belongs to a camera like another", "Add \"like\"");
-      Status linked = panel.inset ? linkTo(i, panel.inset->of, "\"of\"")
-                      : likes     ? linkTo(i, panel.camera->like, "\"like\"")
-                                  : Status(Unit{});
-      if (!linked.ok())
-        return linked;
+      TRY(panel.inset ? linkTo(i, panel.inset->of, "\"of\"")
+          : likes     ? linkTo(i, panel.camera->like, "\"like\"")
+                      : Status(Unit{}));
     }
     return Unit{};
   }
@@ -245,8 +241,7 @@ class Layout {
       if (!within(box, {m_layout.sizeMm.x, m_layout.sizeMm.y - legend}))
         return fault(i, "it reaches over the page's edge or into the legend",
                      "Move it, make it smaller or the page larger");
-      if (Status fine = checkAgainstOthers(i); !fine.ok())
-        return fine;
+      TRY(checkAgainstOthers(i));
     }
     return Unit{};
   }

@@ -231,15 +231,10 @@ Status UnpackedScene::take(std::string_view bytes) {
       parts.paints[name] = std::make_shared<const Paint>(content.begin(), content.end());
       continue;
     }
-    Result<Mesh> mesh = unpackedMesh(content);
-    if (!mesh.ok())
-      return mesh.error();
-    parts.meshes[name] = std::make_shared<const Mesh>(std::move(*mesh));
+    Mesh mesh = TRY(unpackedMesh(content));
+    parts.meshes[name] = std::make_shared<const Mesh>(std::move(mesh));
   }
-  Result<Scene> scene = sceneFromJson(*root, parts);
-  if (!scene.ok())
-    return scene.error();
-  m_scene = std::move(*scene);
+  m_scene = TRY(sceneFromJson(*root, parts));
   m_meshes = std::move(parts.meshes);
   m_paints = std::move(parts.paints);
   return Unit{};

@@ -174,13 +174,11 @@ Result<ScenePockets> pocketsIn(const Scene& scene, const PocketOptions& options,
                            " atoms from its PDB or mmCIF file"};
   int highest = 0;
   for (std::size_t m = 0; m < found.molecules.size(); ++m) {
-    Result<Pockets> own = findPockets(atomsOf(scene, found.molecules[m]), options, goesOn);
-    if (!own)
-      return own.error();
-    found.molecules[m].grid = own->grid;
+    Pockets own = TRY(findPockets(atomsOf(scene, found.molecules[m]), options, goesOn));
+    found.molecules[m].grid = own.grid;
     const std::size_t first = found.pockets.size();
-    for (Pocket& pocket : own->list) {
-      std::vector<NodeId> guests = guestsOf(scene, own->grid, pocket);
+    for (Pocket& pocket : own.list) {
+      std::vector<NodeId> guests = guestsOf(scene, own.grid, pocket);
       found.pockets.push_back({0, m, std::move(pocket), std::move(guests)});
     }
     number(found, first, highest);

@@ -373,8 +373,7 @@ std::string SceneMending::text() const {
 }
 
 Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
-  if (Status counts = checkCounts(scene); !counts.ok())
-    return counts;
+  TRY(checkCounts(scene));
   Mender mender(mended);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
@@ -417,8 +416,7 @@ Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
 }
 
 std::optional<Error> limitFault(const Scene& scene, const Scene& kept) {
-  if (const Status counts = checkCounts(scene); !counts.ok())
-    return counts.error();
+  TRY(checkCounts(scene));
   std::vector<SceneMending> mended;
   Mender mender(mended);
   for (std::size_t i = 0; i < scene.nodes().size(); ++i)

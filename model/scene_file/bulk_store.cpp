@@ -85,12 +85,9 @@ const std::string& BulkKeys::of(const PaintPtr& paint) {
 }
 
 Result<BulkStore> BulkStore::create(const std::filesystem::path& file) {
-  Result<std::unique_ptr<AppendedFile>> made = AppendedFile::create(file);
-  if (!made.ok())
-    return made.error();
-  if (Status begun = (*made)->add(journalMagic); !begun.ok())
-    return begun.error();
-  return BulkStore(std::move(*made));
+  std::unique_ptr<AppendedFile> made = TRY(AppendedFile::create(file));
+  TRY(made->add(journalMagic));
+  return BulkStore(std::move(made));
 }
 
 void BulkStore::want(const std::string& key, const BulkItem& item) {
@@ -102,8 +99,7 @@ Status BulkStore::write(std::chrono::milliseconds atMost) {
   const auto end = std::chrono::steady_clock::now() + atMost;
   while (!m_wanted.empty()) {
     const auto& [key, item] = m_wanted.front();
-    if (Status added = m_file->add(recordOf(payloadOf(key, item))); !added.ok())
-      return added;
+    TRY(m_file->add(recordOf(payloadOf(key, item))));
     m_wanted.pop_front();
     if (std::chrono::steady_clock::now() >= end)
       break;

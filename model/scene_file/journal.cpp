@@ -198,10 +198,8 @@ Result<std::unique_ptr<Journal>> Journal::reserve(const fs::path& folder) {
     // A journal of this name was left by an earlier process of the same number.
     if (fs::exists(file, ignored) || FileLock::held(file))
       continue;
-    Result<FileLock> lock = FileLock::acquire(file);
-    if (!lock.ok())
-      return lock.error();
-    return std::unique_ptr<Journal>(new Journal(std::move(*lock)));
+    FileLock lock = TRY(FileLock::acquire(file));
+    return std::unique_ptr<Journal>(new Journal(std::move(lock)));
   }
 }
 
@@ -214,10 +212,8 @@ Status Journal::start(const JournalSource& source, const SceneDocument& rest,
                       const JournalStep& state) {
   m_states.reset();
   if (!m_bulk) {
-    Result<BulkStore> bulk = BulkStore::create(meshesOf(file()));
-    if (!bulk.ok())
-      return bulk.error();
-    m_bulk.emplace(std::move(*bulk));
+    BulkStore bulk = TRY(BulkStore::create(meshesOf(file())));
+    m_bulk.emplace(std::move(bulk));
   }
   JournalContent content{.source = source,
                          .members = membersOf(rest),
@@ -228,17 +224,14 @@ Status Journal::start(const JournalSource& source, const SceneDocument& rest,
                          .selection = {}};
   for (const auto& [key, item] : m_keys.takeFresh())
     m_bulk->want(key, item);
-  if (Status written = m_bulk->write(meshesFirst); !written.ok())
-    return written;
-  Result<std::unique_ptr<AppendedFile>> made = AppendedFile::create(file());
-  if (!made.ok())
-    return made.error();
-  if (Status added = (*made)->add(journalBytes(content, m_writer)); !added.ok()) {
+  TRY(m_bulk->write(meshesFirst));
+  std::unique_ptr<AppendedFile> made = TRY(AppendedFile::create(file()));
+  if (Status added = made->add(journalBytes(content, m_writer)); !added.ok()) {
     std::error_code ignored;
     fs::remove(file(), ignored);
     return added;
   }
-  m_states = std::move(*made);
+  m_states = std::move(made);
   m_begun = m_states->size();
   m_text = content.now().text->size();
   return Unit{};
@@ -249,8 +242,7 @@ Status Journal::note(const JournalStep& step) {
                            std::make_shared<const std::string>(stateText(*step.scene, m_keys))};
   for (const auto& [key, item] : m_keys.takeFresh())
     m_bulk->want(key, item);
-  if (Status added = m_states->add(m_writer.state(step.place, step.count, state)); !added.ok())
-    return added;
+  TRY(m_states->add(m_writer.state(step.place, step.count, state)));
   m_writer.wrote(state);
   m_text += state.text->size();
   if (m_states->size() - m_begun > mostGrowth || m_text > mostNotedText)
@@ -296,8 +288,7 @@ Status Journal::writeMeshes(std::chrono::milliseconds atMost) {
 
 Status Journal::sync() {
   if (m_states)
-    if (Status synced = m_states->sync(); !synced.ok())
-      return synced;
+    TRY(m_states->sync());
   return m_bulk ? m_bulk->sync() : Status(Unit{});
 }
 
@@ -330,10 +321,8 @@ std::vector<Recoverable> recoverableIn(const fs::path& folder) {
 }
 
 Result<Recovered> recovered(const Recoverable& found) {
-  const Result<std::string> bytes = readText(found.journal, largestJournal);
-  if (!bytes.ok())
-    return bytes.error();
-  JournalContent content = journalContent(*bytes);
+  const std::string bytes = TRY(readText(found.journal, largestJournal));
+  JournalContent content = journalContent(bytes);
   Recovered back;
   if (!content.states.empty()) {
     StateReader reader(content, bulkFor(found.journal, content));

@@ -265,9 +265,7 @@ std::string stateText(const Scene& scene, BulkKeys& keys) {
 Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk,
                            std::vector<JsonRefusal>& leftOut) {
   const auto [lines, json] = partsOf(text);
-  Result<Json> root = parseJson(json, sceneJsonLimits);
-  if (!root.ok())
-    return root.error();
+  Json root = TRY(parseJson(json, sceneJsonLimits));
   SceneParts parts;
   forEachKey(lines, [&](std::string_view name, std::string_view key) {
     const auto item = bulk.find(key);
@@ -280,7 +278,7 @@ Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk,
     else
       parts.voxels[std::string(name)] = std::get<VoxelsPtr>(item->second);
   });
-  return sceneFromJson(*root, parts, leftOut);
+  return sceneFromJson(root, parts, leftOut);
 }
 
 std::vector<std::string> keysCalledFor(std::string_view text) {

@@ -38,10 +38,8 @@ Result<Json> sceneJsonOf(const ZipReader& zip) {
     return Error{.reason = "it holds no scene.json: it is a ZIP file, but no scene"};
   if (entry->size > sceneJsonLimits.bytes)
     return Error{.where = std::string(sceneMember), .reason = "it is too large"};
-  const Result<std::string> text = zip.read(*entry);
-  if (!text.ok())
-    return text.error();
-  Result<Json> root = parseJson(*text, sceneJsonLimits);
+  const std::string text = TRY(zip.read(*entry));
+  Result<Json> root = parseJson(text, sceneJsonLimits);
   return root.ok() ? std::move(root) : placed(root.error(), sceneMember);
 }
 
@@ -109,20 +107,17 @@ void takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& kn
 }
 
 Result<SceneDocument> documentFrom(const ZipReader& zip) {
-  Result<Json> root = sceneJsonOf(zip);
-  if (!root.ok())
-    return root.error();
-  const Result<int> schema = schemaOf(*root);
+  Json root = TRY(sceneJsonOf(zip));
+  const Result<int> schema = schemaOf(root);
   if (!schema.ok())
     return placed(schema.error(), sceneMember);
-  if (const Status migrated = migrate(*root); !migrated.ok())
+  if (const Status migrated = migrate(root); !migrated.ok())
     return placed(migrated.error(), sceneMember);
   PartsReader reader(zip);
-  if (const Status taken = reader.take(*root); !taken.ok())
-    return taken.error();
+  TRY(reader.take(root));
   const SceneParts parts = std::move(reader).parts();
   std::vector<JsonRefusal> leftOut;
-  Result<Scene> scene = sceneFromJson(*root, parts, leftOut);
+  Result<Scene> scene = sceneFromJson(root, parts, leftOut);
   if (!scene.ok())
     return placed(scene.error(), sceneMember);
   SceneDocument document{.scene = std::move(*scene), .schema = *schema};
@@ -236,8 +231,7 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
   if (const std::optional<Error> fault = limitFault(document.scene))
     return *fault;
   std::vector<ZipMember> members{{std::string(sceneMember), sceneJson(document.scene)}};
-  if (const Status readable = checkReadable(members[0].bytes, document.scene); !readable.ok())
-    return readable.error();
+  TRY(checkReadable(members[0].bytes, document.scene));
   if (!document.thumbnail.empty())
     members.push_back({std::string(thumbnailMember), document.thumbnail});
   std::map<MeshPtr, std::string> names = meshNames(document.scene);
@@ -261,11 +255,9 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
   };
   std::for_each(members.begin(), members.end(), add);
   std::for_each(document.others.begin(), document.others.end(), add);
-  Result<std::string> bytes = zipped(all);
-  if (!bytes.ok())
-    return bytes;
-  const Result<ZipReader> again = ZipReader::open(*bytes);
-  if (again.ok() && bytes->size() <= largestFile)
+  std::string bytes = TRY(zipped(all));
+  const Result<ZipReader> again = ZipReader::open(bytes);
+  if (again.ok() && bytes.size() <= largestFile)
     return bytes;
   return Error{.reason = "the scene is too large for a scene file" +
                          (again.ok() ? std::string() : ": " + again.error().reason),
@@ -284,13 +276,11 @@ Result<SceneDocument> documentFromBytes(std::string_view bytes) {
 }
 
 Result<SceneDocument> readSceneFile(const fs::path& file) {
-  const Result<std::string> bytes = readText(file, largestFile);
-  if (!bytes.ok())
-    return bytes.error();
-  Result<SceneDocument> document = documentFromBytes(*bytes);
+  const std::string bytes = TRY(readText(file, largestFile));
+  Result<SceneDocument> document = documentFromBytes(bytes);
   std::error_code unknown;
   if (document.ok() && !document->isForReading() && fs::is_regular_file(file, unknown))
-    document->whole = fingerprintOf(*bytes);
+    document->whole = fingerprintOf(bytes);
   if (document.ok())
     return document;
   Error error = document.error();
@@ -299,8 +289,7 @@ Result<SceneDocument> readSceneFile(const fs::path& file) {
 }
 
 Status writeSceneFile(const FileLock& lock, const SceneDocument& document) {
-  if (Status allowed = mayReplace(lock.file(), document.whole); !allowed.ok())
-    return allowed;
+  TRY(mayReplace(lock.file(), document.whole));
   Result<std::string> bytes = sceneFileBytes(document);
   if (!bytes.ok()) {
     Error error = bytes.error();

@@ -79,17 +79,13 @@ Status checkFrameAndNodes(const Json& root) {
 
 /// Reads the scene as far as it can be; what was left out is added to the fault's list.
 Result<Scene> readScene(const Json& root, const SceneParts& parts, JsonFault& fault) {
-  const Result<int> schema = schemaOf(root);
-  if (!schema.ok())
-    return schema.error();
-  if (const Status fine = checkFrameAndNodes(root); !fine.ok())
-    return fine.error();
-  Scene scene = SceneJsonReader(parts, *schema > sceneSchema).scene(JsonValue(root, fault));
+  const int schema = TRY(schemaOf(root));
+  TRY(checkFrameAndNodes(root));
+  Scene scene = SceneJsonReader(parts, schema > sceneSchema).scene(JsonValue(root, fault));
   if (fault.ends())
     return errorOf(fault);
   std::vector<SceneMending> mended;
-  if (const Status fine = bringWithinLimits(scene, mended); !fine.ok())
-    return fine.error();
+  TRY(bringWithinLimits(scene, mended));
   for (const SceneMending& each : mended) {
     ++fault.count;
     if (!fault.all)

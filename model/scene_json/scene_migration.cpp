@@ -6,12 +6,10 @@
 namespace sline::model {
 
 Status migrate(Json& root) {
-  const Result<int> schema = schemaOf(root);
-  if (!schema.ok())
-    return schema.error();
-  if (*schema < sceneSchema)
+  const int schema = TRY(schemaOf(root));
+  if (schema < sceneSchema)
     return Error{.where = "schema",
-                 .reason = "nothing leads from schema " + std::to_string(*schema) + " to " +
+                 .reason = "nothing leads from schema " + std::to_string(schema) + " to " +
                            std::to_string(sceneSchema)};
   return Unit{};
 }

@@ -42,10 +42,7 @@ Result<const Target*> Handoff::begin(TextureSize size) {
     turn.target.reset();
     turn.texture.reset();
     turn.texture = std::make_unique<Texture>(TextureFormat::rgba8, size, "shown picture");
-    auto target = Target::create({{turn.texture.get()}, nullptr}, "shown picture");
-    if (!target)
-      return target.error();
-    turn.target = std::move(*target);
+    turn.target = TRY(Target::create({{turn.texture.get()}, nullptr}, "shown picture"));
   }
   return static_cast<const Target*>(turn.target.get());
 }

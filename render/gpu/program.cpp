@@ -51,17 +51,12 @@ Result<std::unique_ptr<Program>> Program::create(std::span<const ShaderFile> fil
   program->m_handle = glCreateProgram();
   nameObject(programKind, program->m_handle, recipe.name);
   for (const bool vertex : {true, false}) {
-    Result<ShaderSource> source =
-        shaderSource(files, vertex ? recipe.vertexFile : recipe.fragmentFile, dialect);
-    if (!source)
-      return source.error();
-    if (Status s = program->compile(*source, vertex); !s)
-      return s.error();
+    ShaderSource source =
+        TRY(shaderSource(files, vertex ? recipe.vertexFile : recipe.fragmentFile, dialect));
+    TRY(program->compile(source, vertex));
   }
-  if (Status s = program->link(recipe.name); !s)
-    return s.error();
-  if (Status s = program->matchUniforms(recipe); !s)
-    return s.error();
+  TRY(program->link(recipe.name));
+  TRY(program->matchUniforms(recipe));
   return program;
 }
 

@@ -48,8 +48,7 @@ class Resolver {
         continue;
       }
       const std::string_view quoted = text.substr(includeWord.size());
-      if (Status s = append(quoted.substr(0, quoted.find('"')), file.name); !s)
-        return s;
+      TRY(append(quoted.substr(0, quoted.find('"')), file.name));
       m_source.text += "#line " + std::to_string(line + 1) + " " + number + "\n";
     }
     return Unit{};
@@ -65,8 +64,7 @@ Result<ShaderSource> shaderSource(std::span<const ShaderFile> files, std::string
                                   Dialect dialect) {
   ShaderSource source;
   source.text = dialect == Dialect::es300 ? esHeader : desktopHeader;
-  if (Status s = Resolver(files, source).append(name, name); !s)
-    return s.error();
+  TRY(Resolver(files, source).append(name, name));
   return source;
 }
 

@@ -17,33 +17,6 @@ namespace sline::render {
 
 namespace {
 
-/// The weights of a triangle's second and third corner.
-struct Weights {
-  float second = 0.0f;
-  float third = 0.0f;
-  float first() const { return 1.0f - second - third; }
-};
-
-/// Returns the weights on the triangle itself of a point with those weights in the picture, whose
-/// corners have those depths (nearer corners count less in perspective).
-Weights inSpace(const Weights& w, const std::array<float, 3>& inverse) {
-  const float sum = w.first() * inverse[0] + w.second * inverse[1] + w.third * inverse[2];
-  return {w.second * inverse[1] / sum, w.third * inverse[2] / sum};
-}
-
-float crossed(const glm::vec2& a, const glm::vec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
-std::optional<Weights> weightsAt(const std::array<glm::vec2, 3>& p, const glm::vec2& at) {
-  const float area = crossed(p[1] - p[0], p[2] - p[0]);
-  if (area == 0.0f)
-    return std::nullopt;
-  const Weights w{crossed(at - p[0], p[2] - p[0]) / area, crossed(p[1] - p[0], at - p[0]) / area};
-  constexpr float edge = -1e-4f;
-  return w.second >= edge && w.third >= edge && w.first() >= edge ? std::optional(w) : std::nullopt;
-}
-
 // Millimetres between surfaces that share a wall, in models whose parts fit each other.
 constexpr float touching = 0.05f;
 
@@ -117,57 +90,52 @@ void SeenLayer::take(int x, int y, const SeenCell& cell) {
     known = cell;
 }
 
+FlatTriangle SeenLayer::flat(const Screen& screen, const model::Triangle& t) const {
+  const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
+  return {{c[0]->cell, c[1]->cell, c[2]->cell},
+          {screen.inverseDepth(c[0]->depth), screen.inverseDepth(c[1]->depth),
+           screen.inverseDepth(c[2]->depth)}};
+}
+
 void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
   const model::Mesh& mesh = *m_mesh;
   const model::Triangle& t = mesh.triangles()[triangle];
-  const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
-  if (!c[0]->seen || !c[1]->seen || !c[2]->seen)
+  if (!m_corners[t[0]].seen || !m_corners[t[1]].seen || !m_corners[t[2]].seen)
     return;
-  const std::array<glm::vec2, 3> p{c[0]->cell, c[1]->cell, c[2]->cell};
-  const glm::vec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
-  const glm::vec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
-  const int x0 = std::max(int(std::ceil(low.x - 0.5f)), m_left);
-  const int y0 = std::max(int(std::ceil(low.y - 0.5f)), m_top);
-  const int x1 = std::min(int(std::floor(high.x - 0.5f)), m_left + m_columns - 1);
-  const int y1 = std::min(int(std::floor(high.y - 0.5f)), m_top + m_rows - 1);
-  if (x0 > x1 || y0 > y1)
+  const FlatTriangle seen = flat(screen, t);
+  const PixelRect cells = seen.box({m_left, m_top, m_columns, m_rows});
+  if (cells.empty())
     return;
   const glm::vec3& a = mesh.positions()[t[0]];
   const glm::vec3& b = mesh.positions()[t[1]];
   const glm::vec3& d = mesh.positions()[t[2]];
+  const glm::vec3 depths(m_corners[t[0]].depth, m_corners[t[1]].depth, m_corners[t[2]].depth);
   const glm::vec3 normal = glm::cross(b - a, d - a);
   const float length = glm::length(normal);
-  const std::array<float, 3> inverse{screen.inverseDepth(c[0]->depth),
-                                     screen.inverseDepth(c[1]->depth),
-                                     screen.inverseDepth(c[2]->depth)};
   const glm::vec3 towards = model::towardsEye(screen.camera(), a);
   const float facing = length > 0.0f ? glm::dot(normal, towards) / length : 0.0f;
   const float side = facing < 0.0f ? -1.0f : 1.0f;
-  const auto facingAt = [&](const Weights& w) {
+  const auto facingAt = [&](const glm::vec3& shares) {
     if (!m_surface)
       return facing;
     const auto& n = m_surface->normals;
-    const glm::vec3 smooth = w.first() * n[t[0]] + w.second * n[t[1]] + w.third * n[t[2]];
+    const glm::vec3 smooth = shares.x * n[t[0]] + shares.y * n[t[1]] + shares.z * n[t[2]];
     const float across = glm::length(smooth);
     const float shaded = across > 0.0f ? std::abs(glm::dot(smooth, towards)) / across : 0.0f;
     return side * shaded;
   };
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
-      const auto w = weightsAt(p, glm::vec2(x, y) + 0.5f);
-      if (!w)
-        continue;
-      if (!m_planes.empty()) {
-        const Weights s = inSpace(*w, inverse);
-        if (!model::keptByAll(m_planes, s.first() * a + s.second * b + s.third * d))
-          continue;
-      }
-      take(x, y,
-           {.depth = w->first() * c[0]->depth + w->second * c[1]->depth + w->third * c[2]->depth,
-            .triangle = triangle,
-            .facing = facingAt(*w),
-            .what = SeenCell::What::surface});
+  seen.forEachCell(cells, [&](int x, int y, const glm::vec3& shares) {
+    if (!m_planes.empty()) {
+      const glm::vec3 s = seen.inSpace(shares);
+      if (!model::keptByAll(m_planes, s.x * a + s.y * b + s.z * d))
+        return;
     }
+    take(x, y,
+         {.depth = glm::dot(shares, depths),
+          .triangle = triangle,
+          .facing = facingAt(shares),
+          .what = SeenCell::What::surface});
+  });
 }
 
 void SeenLayer::findCutFaces(const model::Scene& scene, const Screen& screen,
@@ -305,17 +273,14 @@ SeenLayer::Spot SeenLayer::spotAt(const Screen& screen, const SeenGrid& grid, in
     const model::KeptSpan kept = model::keptSpan(ray, m_planes);
     return {ray.origin + float(kept.nearest) * ray.direction, place};
   }
-  const model::Triangle& t = m_mesh->triangles()[cell.triangle];
-  const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
-  const auto w = weightsAt({c[0]->cell, c[1]->cell, c[2]->cell}, glm::vec2(x, y) + 0.5f);
+  const FlatTriangle seen = flat(screen, m_mesh->triangles()[cell.triangle]);
+  const glm::vec3 shares = seen.sharesAt(glm::vec2(x, y) + 0.5f);
   model::SurfacePoint point{m_node->id, cell.triangle, {1.0f / 3.0f, 1.0f / 3.0f}};
-  if (!w)
+  if (!FlatTriangle::holds(shares))
     return {point, screen.place(model::placeOn(*m_mesh, point)).value_or(place)};
-  const Weights s = inSpace(*w, {screen.inverseDepth(c[0]->depth), screen.inverseDepth(c[1]->depth),
-                                 screen.inverseDepth(c[2]->depth)});
-  point.weights = {std::max(s.second, 0.0f), std::max(s.third, 0.0f)};
-  const float most = std::max(point.weights[0] + point.weights[1], 1.0f);
-  point.weights = {point.weights[0] / most, point.weights[1] / most};
+  const glm::vec3 s = glm::max(seen.inSpace(shares), 0.0f);
+  const float most = std::max(s.y + s.z, 1.0f);
+  point.weights = {s.y / most, s.z / most};
   return {point, place};
 }
 

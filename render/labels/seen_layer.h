@@ -13,6 +13,7 @@
 #include "model/scene/scene.h"
 #include "render/labels/screen.h"
 #include "render/labels/seen_look.h"
+#include "render/sight/flat_triangle.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {
@@ -131,6 +132,7 @@ class SeenLayer {
     return std::size_t(y - m_top) * std::size_t(m_columns) + std::size_t(x - m_left);
   }
   void project(const Screen& screen, const SeenGrid& grid);
+  FlatTriangle flat(const Screen& screen, const model::Triangle& triangle) const;
   void drawTriangle(const Screen& screen, std::uint32_t triangle);
   void take(int x, int y, const SeenCell& cell);
   model::CutFaces facesOf(const SeenCell& cell) const {

@@ -52,12 +52,10 @@ class Judge {
     for (const model::ResolvedStructure& one : model::resolvedBelow(m_picture.scene, all)) {
       if (!one.style.visible)
         continue;
-      const Result<Shares> shares = sharesOf(one.node->id, {});
-      if (!shares.ok())
-        return shares.error();
+      const Shares shares = TRY(sharesOf(one.node->id, {}));
       for (std::size_t i = 0; i < pixels; ++i)
-        if ((*shares)[i] > m_most[i]) {
-          m_most[i] = (*shares)[i];
+        if (shares[i] > m_most[i]) {
+          m_most[i] = shares[i];
           m_seen[i] = one.node->id.value;
         }
     }
@@ -93,10 +91,8 @@ class Judge {
     }
     const bool ground = others <= little;
     if (!seen && ground) {
-      const Result<float> reached = reachedAt(end);
-      if (!reached.ok())
-        return reached.error();
-      seen = *reached >= reaches;
+      const float reached = TRY(reachedAt(end));
+      seen = reached >= reaches;
     }
     if (seen)
       verdict.fault = end.dashed ? LeaderFault::dashedWhereSeen : LeaderFault::none;
@@ -182,10 +178,8 @@ class Judge {
       model::Style solid;
       solid.gamma = Gamma::clamped(5.0f);
       solid.opacity = Opacity::clamped(1.0f);
-      Result<Shares> shares = sharesOf(end.structure, solid);
-      if (!shares.ok())
-        return shares.error();
-      m_solid[end.structure.value] = std::move(*shares);
+      Shares shares = TRY(sharesOf(end.structure, solid));
+      m_solid[end.structure.value] = std::move(shares);
     }
     const int x = std::clamp(int(end.place.x), 0, m_width - 1);
     const int y = std::clamp(int(end.place.y), 0, m_height - 1);
@@ -243,14 +237,11 @@ Result<std::vector<LeaderVerdict>> judgeLeaders(const DrawPicture& draw,
                                                 const JudgedPicture& picture,
                                                 std::span<const LeaderEnd> ends) {
   Judge judge(draw, picture);
-  if (const Status looked = judge.look(); !looked.ok())
-    return looked.error();
+  TRY(judge.look());
   std::vector<LeaderVerdict> verdicts;
   for (const LeaderEnd& end : ends) {
-    const Result<LeaderVerdict> verdict = judge.judge(end);
-    if (!verdict.ok())
-      return verdict.error();
-    verdicts.push_back(*verdict);
+    const LeaderVerdict verdict = TRY(judge.judge(end));
+    verdicts.push_back(verdict);
   }
   return verdicts;
 }

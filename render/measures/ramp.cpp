@@ -88,21 +88,16 @@ struct Frame {
 
 Result<Frame> frameOf(const RampPictures& pictures) {
   Frame frame;
-  const Result<Image> fill = pictures.fill(rampGamma(rampSteps));
-  if (!fill)
-    return fill.error();
-  const PixelRect covered = coveredArea(*fill);
+  const Image fill = TRY(pictures.fill(rampGamma(rampSteps)));
+  const PixelRect covered = coveredArea(fill);
   if (covered.empty())
     return Error{.reason = "the structure covers no pixel",
                  .remedy = "Choose a camera that sees it, or a larger picture"};
   for (const auto& [image, index] : {std::pair(&frame.first, 0), {&frame.last, rampSteps}}) {
-    Result<Image> drawn = pictures.whole(rampGamma(index));
-    if (!drawn)
-      return drawn.error();
-    *image = std::move(*drawn);
+    *image = TRY(pictures.whole(rampGamma(index)));
   }
   // The outline lies outside what it surrounds.
-  frame.mask = coveredMask(*fill, unite(covered, inkedArea(frame.first)));
+  frame.mask = coveredMask(fill, unite(covered, inkedArea(frame.first)));
   frame.luminanceAtEnd = mean(luminance(frame.last, frame.mask.area), frame.mask);
   return frame;
 }
@@ -116,22 +111,20 @@ Status measurePictures(const RampPictures& pictures, const Frame& frame, Ramp& r
   Image stageStart;
   std::array<double, rampStages> endToEnd{};
   for (int i = 0; i <= rampSteps; ++i) {
-    Result<Image> drawn = i == 0           ? Result<Image>(frame.first)
-                          : i == rampSteps ? Result<Image>(frame.last)
-                                           : pictures.whole(rampGamma(i));
-    if (!drawn)
-      return drawn.error();
+    Image drawn = TRY(i == 0           ? Result<Image>(frame.first)
+                      : i == rampSteps ? Result<Image>(frame.last)
+                                       : pictures.whole(rampGamma(i)));
     if (i > 0)
-      ramp.steps.push_back(meanDifference(before, *drawn, area));
+      ramp.steps.push_back(meanDifference(before, drawn, area));
     if (i % stepsPerStage == 0) {
       if (i > 0)
-        endToEnd[std::size_t(i / stepsPerStage - 1)] = meanDifference(stageStart, *drawn, area);
-      stageStart = *drawn;
+        endToEnd[std::size_t(i / stepsPerStage - 1)] = meanDifference(stageStart, drawn, area);
+      stageStart = drawn;
     }
-    const PixelValues light = luminance(*drawn, area);
+    const PixelValues light = luminance(drawn, area);
     ramp.tone.luminance.push_back(mean(light, frame.mask));
     turning.add(i, blur(light).values);
-    before = std::move(*drawn);
+    before = std::move(drawn);
   }
   for (std::size_t s = 0; s < ramp.stages.size(); ++s)
     ramp.stages[s] = measureStage(std::span(ramp.steps).subspan(s * stepsPerStage, stepsPerStage),
@@ -160,10 +153,8 @@ Result<RampFill> measureFill(const RampPictures& pictures, const PixelMask& mask
   std::vector<float> highest(mask.inside.size(), 0.0f);
   std::vector<std::uint8_t> fallen(mask.inside.size(), 0);
   for (int i = 0; i <= rampSteps; ++i) {
-    const Result<Image> drawn = pictures.fill(rampGamma(i));
-    if (!drawn)
-      return drawn.error();
-    const PixelValues opacities = opacity(*drawn, mask.area);
+    const Image drawn = TRY(pictures.fill(rampGamma(i)));
+    const PixelValues opacities = opacity(drawn, mask.area);
     for (std::size_t k = 0; k < highest.size(); ++k) {
       const double fall = highest[k] - opacities.values[k];
       fallen[k] = fallen[k] || fall > fillFallLimit;
@@ -240,19 +231,13 @@ Bump largestBump(std::span<const double> series) {
 }
 
 Result<Ramp> measureRamp(const RampPictures& pictures) {
-  const Result<Frame> frame = frameOf(pictures);
-  if (!frame)
-    return frame.error();
+  const Frame frame = TRY(frameOf(pictures));
   Ramp ramp;
-  ramp.area = frame->mask.area;
-  ramp.pixels = frame->mask.count();
-  if (Status s = measurePictures(pictures, *frame, ramp); !s)
-    return s.error();
+  ramp.area = frame.mask.area;
+  ramp.pixels = frame.mask.count();
+  TRY(measurePictures(pictures, frame, ramp));
   measureTone(ramp.tone);
-  const Result<RampFill> fill = measureFill(pictures, frame->mask);
-  if (!fill)
-    return fill.error();
-  ramp.fill = *fill;
+  ramp.fill = TRY(measureFill(pictures, frame.mask));
   return ramp;
 }
 

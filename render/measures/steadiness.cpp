@@ -101,11 +101,9 @@ Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const Hatchi
   Sums sums;
   Fine before;
   for (std::size_t i = 0; i < turn.cameras.size(); ++i) {
-    const Result<Image> drawn =
-        way.draw(turn.cameras[i], way.oversampling * table.width, way.oversampling * table.height);
-    if (!drawn)
-      return drawn.error();
-    Fine now{way.oversampling, ink(*drawn)};
+    const Image drawn = TRY(
+        way.draw(turn.cameras[i], way.oversampling * table.width, way.oversampling * table.height));
+    Fine now{way.oversampling, ink(drawn)};
     if (i > 0)
       sums.add(now, before, turn.warps[i - 1]);
     before = std::move(now);
@@ -113,10 +111,8 @@ Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const Hatchi
   for (const auto& [share, size] :
        {std::pair(&flicker.midTones, PictureSize{table.width, table.height}),
         {&flicker.midTonesInPrint, printSize(table)}}) {
-    const Result<Image> drawn = way.draw(table.camera, size.width, size.height);
-    if (!drawn)
-      return drawn.error();
-    *share = midToneShare(*drawn);
+    const Image drawn = TRY(way.draw(table.camera, size.width, size.height));
+    *share = midToneShare(drawn);
   }
   flicker.overSurface = sums.change / double(sums.pixels);
   flicker.ink = sums.ink / double(sums.pixels);
@@ -159,15 +155,11 @@ model::Camera turned(const model::Camera& camera, const glm::vec3& middle, float
 
 Result<std::vector<Flicker>> measureFlicker(const Turntable& turntable,
                                             std::span<const HatchingWay> ways) {
-  const Result<Turn> turn = turnOf(turntable);
-  if (!turn)
-    return turn.error();
+  const Turn turn = TRY(turnOf(turntable));
   std::vector<Flicker> result;
   for (const HatchingWay& way : ways) {
-    const Result<Flicker> flicker = flickerOf(turntable, *turn, way);
-    if (!flicker)
-      return flicker.error();
-    result.push_back(*flicker);
+    const Flicker flicker = TRY(flickerOf(turntable, turn, way));
+    result.push_back(flicker);
   }
   return result;
 }

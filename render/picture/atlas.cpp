@@ -71,8 +71,7 @@ bool Atlas::release() {
 
 Status Atlas::allocate() {
   if (!m_colours)
-    if (Status s = allocateFine(); !s)
-      return s;
+    TRY(allocateFine());
   return coarse() && !m_coarseColours ? allocateCoarse() : Status(Unit{});
 }
 
@@ -85,18 +84,10 @@ Status Atlas::allocateFine() {
   make(m_inks, gpu::TextureFormat::rg8, "ink");
   make(m_surfaceDepths, gpu::TextureFormat::depth32f, "surface depth");
   make(m_layerDepths, gpu::TextureFormat::depth32f, "layer depth");
-  auto surface = gpu::Target::create({{m_colours.get()}, m_surfaceDepths.get()}, "surfaces");
-  if (!surface)
-    return surface.error();
-  m_surfaceTarget = std::move(*surface);
-  auto ink = gpu::Target::create({{m_inks.get()}, m_layerDepths.get()}, "ink");
-  if (!ink)
-    return ink.error();
-  m_inkTarget = std::move(*ink);
-  auto edge = gpu::Target::create({{m_colours.get()}, m_layerDepths.get()}, "edges");
-  if (!edge)
-    return edge.error();
-  m_edgeTarget = std::move(*edge);
+  m_surfaceTarget =
+      TRY(gpu::Target::create({{m_colours.get()}, m_surfaceDepths.get()}, "surfaces"));
+  m_inkTarget = TRY(gpu::Target::create({{m_inks.get()}, m_layerDepths.get()}, "ink"));
+  m_edgeTarget = TRY(gpu::Target::create({{m_colours.get()}, m_layerDepths.get()}, "edges"));
   return Unit{};
 }
 
@@ -109,10 +100,8 @@ Status Atlas::allocateCoarse() {
   m_coarseColours = std::make_unique<gpu::Texture>(m_colours->format(), size, "coarse fills");
   m_coarseDepths =
       std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, size, "coarse surface depth");
-  auto made = gpu::Target::create({{m_coarseColours.get()}, m_coarseDepths.get()}, "coarse");
-  if (!made)
-    return made.error();
-  m_coarseTarget = std::move(*made);
+  m_coarseTarget =
+      TRY(gpu::Target::create({{m_coarseColours.get()}, m_coarseDepths.get()}, "coarse"));
   return Unit{};
 }
 

@@ -113,11 +113,8 @@ Status LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input
   // Found depths come before all that is drawn, for which a driver would have to wait.
   for (const std::size_t i : changed)
     if (layers[i].shows() && !layers[i].pixels.empty())
-      if (Status s = m_atlas.surfaceDepths().upload(
-              std::as_bytes(std::span(layers[i].pixels.surfaceDepths)),
-              surfacePlace(layers[i], layers[i].slot).slot);
-          !s)
-        return s;
+      TRY(m_atlas.surfaceDepths().upload(std::as_bytes(std::span(layers[i].pixels.surfaceDepths)),
+                                         surfacePlace(layers[i], layers[i].slot).slot));
   for (const std::size_t i : changed)
     if (layers[i].shows() && layers[i].pixels.empty()) {
       m_wipePass->draw(device, m_atlas.surfaceTarget(),

@@ -83,12 +83,9 @@ Status LayerPainter::lay(gpu::Device& device, const ProcessorOutlines::Drawn& dr
     return Unit{};
   // As large as the region, so that it serves the next area as well.
   const PixelRect& area = drawn.area;
-  if (Status s = m_numbers.resize({place.region.width, place.region.height}, false); !s)
-    return s;
-  if (Status s = m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
-                                          {0, 0, area.width, area.height});
-      !s)
-    return s;
+  TRY(m_numbers.resize({place.region.width, place.region.height}, false));
+  TRY(m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
+                               {0, 0, area.width, area.height}));
   m_overlayPass->draw(device, place.target,
                       {*m_numbers.colour, {area.x, area.y}, drawn.ink->rectangles});
   return Unit{};
@@ -107,10 +104,8 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
   std::vector<std::size_t> all(layers.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   completeSurfaces(input, layers, all);
-  if (Status s = upload(device, m_kept); !s)
-    return s;
-  if (Status s = m_numbers.resize({region.width, region.height}, true); !s)
-    return s;
+  TRY(upload(device, m_kept));
+  TRY(m_numbers.resize({region.width, region.height}, true));
   const OutlinedNumbers numbers(structures);
   drawNumbers(device, input, layers, numbers, region);
 
@@ -119,8 +114,7 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
     wanted.mark(grown(layer.area, look.reach()));
   const TileLists lists =
       tileLists(hidingLayers(m_kept, numbers, region, input.background), wanted);
-  if (Status s = m_resolvePass->upload(lists.tiles, lists.entries); !s)
-    return s;
+  TRY(m_resolvePass->upload(lists.tiles, lists.entries));
   m_resolvePass->drawOutlines(device, place.target,
                               {.numbers = *m_numbers.colour,
                                .numberDepths = *m_numbers.depth,

@@ -16,10 +16,7 @@ namespace {
 /// Makes a pass for the device in its place.
 template <class Pass>
 Status make(const gpu::Device& device, std::shared_ptr<Pass>& place) {
-  auto made = Pass::create(device.dialect());
-  if (!made)
-    return made.error();
-  place = std::move(*made);
+  place = TRY(Pass::create(device.dialect()));
   return Unit{};
 }
 
@@ -250,8 +247,7 @@ Status LayerPainter::resolve(gpu::Device& device, Background background, const C
                              std::span<const Layer> layers) {
   const std::vector<ListedLayer> listed = listedLayers(layers, canvas.region, background);
   const TileLists lists = tileLists(listed, canvas.wanted);
-  if (Status s = m_resolvePass->upload(lists.tiles, lists.entries); !s)
-    return s;
+  TRY(m_resolvePass->upload(lists.tiles, lists.entries));
   m_resolvePass->draw(device, *canvas.target,
                       {.colours = m_atlas.colours(),
                        .inks = m_atlas.inks(),
@@ -328,22 +324,15 @@ Status LayerPainter::blendOnProcessor(Background background, const Canvas& canva
 }
 
 Status LayerPainter::upload(gpu::Device& device, std::span<Layer> layers) {
-  if (Status s = makeRoom(device); !s)
-    return s;
+  TRY(makeRoom(device));
   for (Layer& layer : layers) {
     if (!layer.onProcessor || layer.uploaded || layer.pixels.empty())
       continue;
     const LayerPixels& pixels = layer.pixels;
     if (layer.filled)
-      if (Status s = m_atlas.colours().upload(std::as_bytes(std::span(pixels.colours)), layer.slot);
-          !s)
-        return s;
-    if (Status s = m_atlas.inks().upload(std::as_bytes(std::span(pixels.inks)), layer.slot); !s)
-      return s;
-    if (Status s =
-            m_atlas.layerDepths().upload(std::as_bytes(std::span(pixels.depths)), layer.slot);
-        !s)
-      return s;
+      TRY(m_atlas.colours().upload(std::as_bytes(std::span(pixels.colours)), layer.slot));
+    TRY(m_atlas.inks().upload(std::as_bytes(std::span(pixels.inks)), layer.slot));
+    TRY(m_atlas.layerDepths().upload(std::as_bytes(std::span(pixels.depths)), layer.slot));
     layer.uploaded = true;
   }
   return Unit{};
@@ -353,19 +342,14 @@ Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const Pic
                                                   std::vector<Layer>& layers,
                                                   std::span<const std::size_t> driven,
                                                   Stopwatch& stopwatch) {
-  if (Status s = upload(device, layers); !s)
-    return s.error();
-  if (Status s = drawSurfaces(device, input, layers, driven); !s)
-    return s.error();
+  TRY(upload(device, layers));
+  TRY(drawSurfaces(device, input, layers, driven));
   stopwatch.pass(&device, "surface");
   if (input.isUnwanted())
     return Outcome::givenUp;
   // Hatching comes before lines, which lie on it.
-  if (Status s = m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, driven);
-      !s)
-    return s.error();
-  if (Status s = drawInk(device, input, layers, driven); !s)
-    return s.error();
+  TRY(m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, driven));
+  TRY(drawInk(device, input, layers, driven));
   stopwatch.pass(&device, "ink");
   for (const std::size_t i : driven) {
     layers[i].triangles = {};
@@ -409,11 +393,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device* device, const Pic
       return outcome;
   }
   const Canvas all = canvas(picture.target.get(), region, layers, changed, blends);
-  const Status blended = blends
-                             ? blendOnProcessor(input.background, all, layers, picture.colour.get())
-                             : resolve(*device, input.background, all, layers);
-  if (!blended)
-    return blended.error();
+  TRY(blends ? blendOnProcessor(input.background, all, layers, picture.colour.get())
+             : resolve(*device, input.background, all, layers));
   stopwatch.pass(device, "resolve");
   m_layersDrawn = int(std::count_if(changed.begin(), changed.end(),
                                     [&](std::size_t i) { return !layers[i].covered; }));

@@ -210,8 +210,7 @@ Status Picture::Data::bringDriver(const PictureInput& input) {
   device = std::move(*made);
   for (Easel* each : {&main, &aside})
     if (each->painter)
-      if (Status s = each->painter->equip(*device); !s)
-        return s;
+      TRY(each->painter->equip(*device));
   return Unit{};
 }
 
@@ -222,15 +221,13 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
   auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
   if (std::max(region.width, region.height) <= regionSide()) {
     if (device)
-      if (Status s = canvas.resize({region.width, region.height}, false); !s)
-        return s;
+      TRY(canvas.resize({region.width, region.height}, false));
     outcome = used.painter->paint(device.get(), input, region, canvas, stopwatch);
     if (!outcome)
       return outcome.error();
   }
   if (*outcome == LayerPainter::Outcome::needsDriver) {
-    if (Status s = bringDriver(input); !s)
-      return s;
+    TRY(bringDriver(input));
     return paint(input, region, stopwatch, output);
   }
   if (*outcome == LayerPainter::Outcome::givenUp) {
@@ -257,14 +254,11 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
                           .output = output,
                           .device = [&]() -> Result<gpu::Device*> {
                             if (!device)
-                              if (Status s = bringDriver(input); !s)
-                                return s.error();
+                              TRY(bringDriver(input));
                             return device.get();
                           }};
-  const Result<bool> wanted = deliver(delivery);
-  if (!wanted)
-    return wanted.error();
-  givenUp = !*wanted;
+  const bool wanted = TRY(deliver(delivery));
+  givenUp = !wanted;
   if (output.image || output.pieces)
     stopwatch.pass(device.get(), "read");
   return Unit{};
@@ -272,8 +266,7 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
 
 Status Picture::Data::picture(const model::Scene& scene, const model::Camera& camera,
                               const PictureSettings& settings, const Output& output) {
-  if (Status s = checkRequest(camera, settings); !s)
-    return s;
+  TRY(checkRequest(camera, settings));
   givenUp = false;
   const Sitting sitting(scene, camera, settings);
   const PictureView& view = sitting.view;
@@ -342,14 +335,10 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
   Data& data = *picture->m_data;
   data.options = options;
   data.main.canvas.deep = options.deep;
-  auto device = gpu::Device::create();
-  if (!device)
-    return device.error();
-  data.device = std::move(*device);
+  data.device = TRY(gpu::Device::create());
   data.main.painter = std::make_unique<LayerPainter>(
       AtlasLimits{.side = data.textureSide(), .pixels = data.atlasPixels(), .deep = options.deep});
-  if (Status equipped = data.main.painter->equip(*data.device); !equipped)
-    return equipped.error();
+  TRY(data.main.painter->equip(*data.device));
   return picture;
 }
 
@@ -384,11 +373,9 @@ Result<Image> Picture::render(const model::Scene& scene, const model::Camera& ca
     return drawn.ok() ? averaged(*drawn, samples) : drawn;
   }
   Image image{.width = settings.width, .height = settings.height, .rgba = {}};
-  if (Status s = checkRequest(camera, settings); !s)
-    return s.error();
+  TRY(checkRequest(camera, settings));
   image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
-  if (Status s = m_data->picture(scene, camera, settings, {.image = &image}); !s)
-    return s.error();
+  TRY(m_data->picture(scene, camera, settings, {.image = &image}));
   return image;
 }
 
@@ -399,14 +386,12 @@ DrawPicture Picture::drawing() {
 
 Result<bool> Picture::renderPieces(const model::Scene& scene, const model::Camera& camera,
                                    const PictureSettings& settings, const PicturePieces& pieces) {
-  if (Status s = checkRequest(camera, settings); !s)
-    return s.error();
+  TRY(checkRequest(camera, settings));
   if (pieces.grid < 1 || pieces.bandRows < 1 || settings.width % pieces.grid != 0 ||
       settings.height % pieces.grid != 0 || pieces.bandRows % pieces.grid != 0)
     return Error{.reason = "a picture cannot be drawn in such pieces",
                  .remedy = "Ask for sizes that are multiples of the pieces' grid"};
-  if (Status s = m_data->picture(scene, camera, settings, {.pieces = &pieces}); !s)
-    return s.error();
+  TRY(m_data->picture(scene, camera, settings, {.pieces = &pieces}));
   return !m_data->givenUp;
 }
 
@@ -425,8 +410,7 @@ Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
     return Error{.reason = "a picture cannot be drawn into pixels of another size",
                  .remedy = "Ask for a picture of their size"};
   const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
-  if (Status s = m_data->picture(scene, camera, settings, output); !s)
-    return s.error();
+  TRY(m_data->picture(scene, camera, settings, output));
   if (m_data->device)
     m_data->device->finish();
   return !m_data->givenUp;
@@ -441,14 +425,12 @@ Result<bool> Picture::refineInto(const TargetJob& job, const model::Scene& scene
   finer.hurried = true;
   const Output large{
       .target = &job.target, .unwanted = job.unwanted, .aside = true, .samples = finer.samples};
-  if (Status s = m_data->picture(scene, camera, finer, large); !s)
-    return s.error();
+  TRY(m_data->picture(scene, camera, finer, large));
   if (!m_data->givenUp && !job.outlines.empty()) {
     // Their width is at most some pixels: more samples would not be seen. Layers are those kept.
     const Output outlines{
         .target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines, .over = true};
-    if (Status s = m_data->picture(scene, camera, settings, outlines); !s)
-      return s.error();
+    TRY(m_data->picture(scene, camera, settings, outlines));
   }
   if (m_data->device)
     m_data->device->finish();
@@ -459,13 +441,11 @@ Result<std::optional<Image>> Picture::preview(const model::Scene& scene,
                                               const model::Camera& camera,
                                               const PictureSettings& settings,
                                               const std::atomic<bool>* unwanted) {
-  if (Status s = checkRequest(camera, settings); !s)
-    return s.error();
+  TRY(checkRequest(camera, settings));
   Image image{.width = settings.width, .height = settings.height, .rgba = {}};
   image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
   const Output output{.image = &image, .unwanted = unwanted, .aside = true};
-  if (Status s = m_data->picture(scene, camera, settings, output); !s)
-    return s.error();
+  TRY(m_data->picture(scene, camera, settings, output));
   if (m_data->givenUp)
     return std::optional<Image>();
   return std::optional<Image>(std::move(image));

@@ -17,10 +17,7 @@ Status PictureCanvas::resize(gpu::TextureSize size, bool withDepth) {
       deep ? gpu::TextureFormat::rgba16 : gpu::TextureFormat::rgba8, size, "picture");
   if (withDepth)
     depth = std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, size, "picture depth");
-  auto made = gpu::Target::create({{colour.get()}, depth.get()}, "picture");
-  if (!made)
-    return made.error();
-  target = std::move(*made);
+  target = TRY(gpu::Target::create({{colour.get()}, depth.get()}, "picture"));
   return Unit{};
 }
 
@@ -79,12 +76,10 @@ Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
   PicturePiece piece = emptyPiece(region, height);
   const PixelRect all{0, 0, region.width, region.height};
   if (device.dialect() == gpu::Dialect::desktop330) {
-    if (Status s = device.read(target, all, std::span(piece.rgba)); !s)
-      return s.error();
+    TRY(device.read(target, all, std::span(piece.rgba)));
   } else {
     std::vector<std::byte> bytes(piece.rgba.size());
-    if (Status s = device.read(target, all, bytes); !s)
-      return s.error();
+    TRY(device.read(target, all, bytes));
     spread(bytes, piece);
   }
   turnOver(piece);

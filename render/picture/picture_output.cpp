@@ -16,12 +16,9 @@ Status readImage(const Delivery& delivery, Image& image) {
     copyRegion(std::as_bytes(blended), region, image);
     return Unit{};
   }
-  const Result<gpu::Device*> device = delivery.device();
-  if (!device)
-    return device.error();
+  gpu::Device* const device = TRY(delivery.device());
   std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
-  if (Status s = (*device)->read(*delivery.easel.canvas.target, wholeOf(region), pixels); !s)
-    return s;
+  TRY(device->read(*delivery.easel.canvas.target, wholeOf(region), pixels));
   copyRegion(pixels, region, image);
   return Unit{};
 }
@@ -31,26 +28,19 @@ Result<PicturePiece> readPiece(const Delivery& delivery) {
   const std::span<const std::uint32_t> blended = delivery.easel.painter->blended();
   if (!blended.empty())
     return pieceOf(blended, delivery.region, height);
-  const Result<gpu::Device*> device = delivery.device();
-  if (!device)
-    return device.error();
-  return pieceOf(**device, *delivery.easel.canvas.target, delivery.region, height);
+  gpu::Device* const device = TRY(delivery.device());
+  return pieceOf(*device, *delivery.easel.canvas.target, delivery.region, height);
 }
 
 Status toTexture(const Delivery& delivery, const gpu::Target& texture) {
-  const Result<gpu::Device*> device = delivery.device();
-  if (!device)
-    return device.error();
+  gpu::Device* const device = TRY(delivery.device());
   const PixelRect& region = delivery.region;
   const int n = delivery.output.samples;
   if (!delivery.output.over)
-    (*device)->copyColour(*delivery.easel.canvas.target, wholeOf(region), texture,
-                          {region.x / n, region.y / n, region.width / n, region.height / n});
+    device->copyColour(*delivery.easel.canvas.target, wholeOf(region), texture,
+                       {region.x / n, region.y / n, region.width / n, region.height / n});
   for (const Outline& outline : delivery.output.outlines)
-    if (Status s =
-            delivery.easel.painter->outline(**device, delivery.input, {region, texture}, outline);
-        !s)
-      return s;
+    TRY(delivery.easel.painter->outline(*device, delivery.input, {region, texture}, outline));
   return Unit{};
 }
 
@@ -62,19 +52,14 @@ Status outlineInMemory(const Delivery& delivery, const PictureTarget& target,
     layOver(drawn->ink->colours, drawn->area, drawn->ink->rectangles, target);
     return Unit{};
   }
-  const Result<gpu::Device*> device = delivery.device();
-  if (!device)
-    return device.error();
+  gpu::Device* const device = TRY(delivery.device());
   PictureCanvas& copy = delivery.easel.copy;
   const PixelRect all{0, 0, target.width(), target.height()};
-  if (Status s = copy.resize({all.width, all.height}, false); !s)
-    return s;
-  if (Status s = copy.colour->upload(std::as_bytes(target.pixels()), all); !s)
-    return s;
+  TRY(copy.resize({all.width, all.height}, false));
+  TRY(copy.colour->upload(std::as_bytes(target.pixels()), all));
   const LayerPainter::OutlinePlace place{delivery.region, *copy.target};
-  if (Status s = painter.outline(**device, delivery.input, place, outline); !s)
-    return s;
-  return (*device)->read(*copy.target, all, std::as_writable_bytes(target.pixels()));
+  TRY(painter.outline(*device, delivery.input, place, outline));
+  return device->read(*copy.target, all, std::as_writable_bytes(target.pixels()));
 }
 
 Status toMemory(const Delivery& delivery, const PictureTarget& target) {
@@ -83,20 +68,14 @@ Status toMemory(const Delivery& delivery, const PictureTarget& target) {
   if (!delivery.output.over && !blended.empty()) {
     putRegion(blended, region, delivery.output.samples, target);
   } else if (!delivery.output.over) {
-    const Result<gpu::Device*> device = delivery.device();
-    if (!device)
-      return device.error();
+    gpu::Device* const device = TRY(delivery.device());
     std::vector<std::uint32_t> pixels(std::size_t(region.width) * std::size_t(region.height));
     const std::span<std::uint32_t> all = pixels;
-    if (Status s = (*device)->read(*delivery.easel.canvas.target, wholeOf(region),
-                                   std::as_writable_bytes(all));
-        !s)
-      return s;
+    TRY(device->read(*delivery.easel.canvas.target, wholeOf(region), std::as_writable_bytes(all)));
     putRegion(pixels, region, delivery.output.samples, target);
   }
   for (const Outline& outline : delivery.output.outlines)
-    if (Status s = outlineInMemory(delivery, target, outline); !s)
-      return s;
+    TRY(outlineInMemory(delivery, target, outline));
   return Unit{};
 }
 
@@ -106,20 +85,14 @@ Result<bool> deliver(const Delivery& delivery) {
   const Output& output = delivery.output;
   if (output.target) {
     const gpu::Target* texture = output.target->texture();
-    const Status brought =
-        texture ? toTexture(delivery, *texture) : toMemory(delivery, *output.target);
-    if (!brought)
-      return brought.error();
+    TRY(texture ? toTexture(delivery, *texture) : toMemory(delivery, *output.target));
   }
   if (output.image)
-    if (Status s = readImage(delivery, *output.image); !s)
-      return s.error();
+    TRY(readImage(delivery, *output.image));
   if (!output.pieces)
     return true;
-  Result<PicturePiece> piece = readPiece(delivery);
-  if (!piece)
-    return piece.error();
-  return output.pieces->take(std::move(*piece));
+  PicturePiece piece = TRY(readPiece(delivery));
+  return output.pieces->take(std::move(piece));
 }
 
 }  // namespace sline::render

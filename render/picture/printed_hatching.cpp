@@ -95,15 +95,9 @@ int printedHatchingReach(const PictureView& view) {
 
 Status PrintedHatching::preparePass(const gpu::Device& device, const PreparedStructure& shown) {
   if (isNoise(shown.style) && !m_noise) {
-    auto pass = passes::NoiseLicPass::create(device.dialect());
-    if (!pass)
-      return pass.error();
-    m_noise = std::move(*pass);
+    m_noise = TRY(passes::NoiseLicPass::create(device.dialect()));
   } else if (!isNoise(shown.style) && !m_pass) {
-    auto pass = passes::HatchingPass::create(device.dialect());
-    if (!pass)
-      return pass.error();
-    m_pass = std::move(*pass);
+    m_pass = TRY(passes::HatchingPass::create(device.dialect()));
   }
   return Unit{};
 }
@@ -119,10 +113,7 @@ Status PrintedHatching::prepare(gpu::TextureSize size) {
       std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i, rounded, "hatching fields");
   m_depths =
       std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, rounded, "hatching depth");
-  auto target = gpu::Target::create({{m_fields.get()}, m_depths.get()}, "hatching fields");
-  if (!target)
-    return target.error();
-  m_target = std::move(*target);
+  m_target = TRY(gpu::Target::create({{m_fields.get()}, m_depths.get()}, "hatching fields"));
   return Unit{};
 }
 
@@ -155,15 +146,13 @@ Status PrintedHatching::draw(gpu::Device& device, const Sight& sight, std::span<
   gpu::TextureSize largest;
   for (const std::size_t i : changed)
     if (layers[i].members.front().printedHatching) {
-      if (Status s = preparePass(device, layers[i].members.front()); !s)
-        return s;
+      TRY(preparePass(device, layers[i].members.front()));
       largest = {std::max(largest.width, layers[i].slot.width),
                  std::max(largest.height, layers[i].slot.height)};
     }
   if (largest.width == 0)
     return Unit{};
-  if (Status s = prepare(largest); !s)
-    return s;
+  TRY(prepare(largest));
   for (const std::size_t i : changed)
     if (layers[i].members.front().printedHatching)
       draw(device, sight, layers[i]);

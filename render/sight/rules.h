@@ -21,6 +21,7 @@ namespace sline::render::rule {
 using glm::abs, glm::clamp, glm::dot, glm::floor, glm::fract, glm::max, glm::min, glm::mix,
     glm::smoothstep, glm::sqrt, glm::vec2, glm::vec3, glm::vec4;
 #define NUMBER float
+#include "render/sight/rules/cuts.glsl"
 #include "render/sight/rules/depth.glsl"
 #include "render/sight/rules/grain.glsl"
 #include "render/sight/rules/layers.glsl"

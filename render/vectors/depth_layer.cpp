@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/vectors/depth_layer.h"
-#include "render/strokes/hidden_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "render/lines/ground/stages.h"
+#include "render/sight/cut_away.h"
+#include "render/sight/flat_triangle.h"
+#include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
 #include "render/vectors/fill_tones.h"
 
@@ -18,49 +21,21 @@ namespace {
 
 constexpr float hairline = 0.75f;  // px, half of its width: just enough to leave no gaps
 
-float cross(const glm::vec2& a, const glm::vec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
+/// A triangle in the picture, with the window depths of its corners.
+struct SeenTriangle {
+  FlatTriangle flat;
+  glm::vec3 depths;
+};
 
-ScreenTriangle projected(const PictureView& view, const std::array<glm::vec3, 3>& p) {
-  return {view.project(p[0]), view.project(p[1]), view.project(p[2])};
-}
-
-/// Calls draw(x, y, weights) for each pixel of the area that has its middle in the triangle.
-template <class Draw>
-void forEachPixel(const ScreenTriangle& t, const PixelRect& area, const Draw& draw) {
-  if (t.a.w <= 0.0f || t.b.w <= 0.0f || t.c.w <= 0.0f)
-    return;
-  const glm::vec2 low = glm::min(glm::min(t.a.pixel, t.b.pixel), t.c.pixel);
-  const glm::vec2 high = glm::max(glm::max(t.a.pixel, t.b.pixel), t.c.pixel);
-  if (!(high.x >= float(area.x) && high.y >= float(area.y) && low.x <= float(area.right()) &&
-        low.y <= float(area.top())))
-    return;
-  const int x0 = std::max(int(std::ceil(std::max(low.x, float(area.x)) - 0.5f)), area.x);
-  const int y0 = std::max(int(std::ceil(std::max(low.y, float(area.y)) - 0.5f)), area.y);
-  const int x1 =
-      std::min(int(std::floor(std::min(high.x, float(area.right())) - 0.5f)), area.right() - 1);
-  const int y1 =
-      std::min(int(std::floor(std::min(high.y, float(area.top())) - 0.5f)), area.top() - 1);
-  if (x0 > x1 || y0 > y1)
-    return;
-  const float whole = cross(t.b.pixel - t.a.pixel, t.c.pixel - t.a.pixel);
-  if (whole == 0.0f)
-    return;
-  // A point on an edge belongs to both triangles at it.
-  constexpr float onEdge = -1e-5f;
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
-      const glm::vec3 weights = t.weightsAt({float(x) + 0.5f, float(y) + 0.5f});
-      if (weights.x >= onEdge && weights.y >= onEdge && weights.z >= onEdge)
-        draw(x, y, weights);
-    }
-}
-
-bool isCutAway(std::span<const glm::vec4> planes, const glm::vec3& p) {
-  return std::any_of(planes.begin(), planes.end(), [&p](const glm::vec4& plane) {
-    return glm::dot(glm::vec3(plane), p) + plane.w > 0.0f;
-  });
+/// Returns the triangle as it lies in the picture; nothing where it reaches behind the eye.
+std::optional<SeenTriangle> projected(const PictureView& view, const std::array<glm::vec3, 3>& p) {
+  const PictureView::Point a = view.project(p[0]);
+  const PictureView::Point b = view.project(p[1]);
+  const PictureView::Point c = view.project(p[2]);
+  if (a.w <= 0.0f || b.w <= 0.0f || c.w <= 0.0f)
+    return std::nullopt;
+  return SeenTriangle{{{a.pixel, b.pixel, c.pixel}, 1.0f / glm::vec3(a.w, b.w, c.w)},
+                      {a.depth, b.depth, c.depth}};
 }
 
 class LayerDrawing {
@@ -134,14 +109,16 @@ class LayerDrawing {
       if (!(glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), toEye) > 0.0f))
         return;
     }
-    const ScreenTriangle t = projected(m_input.view, p);
-    forEachPixel(t, m_layer.area, [&](int x, int y, const glm::vec3& weights) {
+    const std::optional<SeenTriangle> t = projected(m_input.view, p);
+    if (!t)
+      return;
+    t->flat.forEachCell(m_layer.area, [&](int x, int y, const glm::vec3& shares) {
       const std::size_t i = std::size_t(m_layer.index(x, y));
-      const float depth = glm::dot(weights, glm::vec3(t.a.depth, t.b.depth, t.c.depth));
+      const float depth = glm::dot(shares, t->depths);
       if (!(depth >= 0.0f && depth < m_layer.depths[i]))
         return;
       if (!planes.empty()) {
-        const glm::vec3 w = t.inSpace(weights);
+        const glm::vec3 w = t->flat.inSpace(shares);
         if (isCutAway(planes, w.x * p[0] + w.y * p[1] + w.z * p[2]))
           return;
       }
@@ -159,16 +136,17 @@ class LayerDrawing {
     const glm::vec2 middle = 0.5f * m_input.view.size();
     for (std::size_t k = 0; k + 2 < cut.cap.size(); k += 3) {
       const std::array<glm::vec3, 3> p{cut.cap[k], cut.cap[k + 1], cut.cap[k + 2]};
-      const ScreenTriangle t = projected(m_input.view, p);
+      const std::optional<SeenTriangle> t = projected(m_input.view, p);
+      if (!t)
+        continue;
       const auto place = [&](const glm::vec2& pixel) {
-        const glm::vec3 w = t.inSpace(t.weightsAt(pixel));
+        const glm::vec3 w = t->flat.inSpace(t->flat.sharesAt(pixel));
         return w.x * p[0] + w.y * p[1] + w.z * p[2];
       };
-      forEachPixel(t, m_layer.area, [&](int x, int y, const glm::vec3&) {
+      t->flat.forEachCell(m_layer.area, [&](int x, int y, const glm::vec3&) {
         const std::size_t i = std::size_t(m_layer.index(x, y));
         const glm::vec2 pixel(float(x) + 0.5f, float(y) + 0.5f);
-        const float depth =
-            std::clamp(glm::dot(paint.depthPlane, glm::vec3(pixel - middle, 1.0f)), 0.0f, 1.0f);
+        const float depth = rule::faceDepth(paint.depthPlane, pixel - middle);
         const glm::vec3 here = place(pixel);
         if (!(depth < m_layer.depths[i]) || isCutAway(others, here))
           return;
@@ -182,22 +160,20 @@ class LayerDrawing {
     }
   }
 
-  /// Tells whether a place lies on a stripe, as cap.frag.glsl does; `right` and `up` are a pixel's
-  /// step.
+  /// Tells whether a place lies on a stripe; `right` and `up` are a pixel's step.
   static bool onStripe(const CapPaint& paint, const glm::vec3& place, const glm::vec3& right,
                        const glm::vec3& up) {
     const glm::vec3 direction(paint.stripes);
     const float stripe = glm::dot(direction, place);
-    const float perPixel = std::max(
-        glm::length(glm::vec2(glm::dot(direction, right), glm::dot(direction, up))), 1e-6f);
-    const float nearest = std::floor(stripe + 0.5f);
-    const bool odd = std::fmod(std::abs(nearest), 2.0f) > 0.5f;
+    const float perPixel =
+        glm::length(glm::vec2(glm::dot(direction, right), glm::dot(direction, up)));
     // Strokes that have half entered are hairlines, as thinner ones would fall between pixels;
     // before that the picture has them paler than half of the ink.
-    const bool entering = odd && paint.stripes.w > 0.45f;
-    const float width = std::max(paint.strokeHalfWidth * (odd ? paint.stripes.w : 1.0f),
-                                 entering ? hairline : 0.0f);
-    return std::abs(stripe - nearest) / perPixel < width;
+    const bool entering = rule::stripeIsOdd(stripe) > 0.5f && paint.stripes.w > 0.45f;
+    const float width =
+        std::max(rule::stripeHalfWidth(stripe, paint.strokeHalfWidth, paint.stripes.w),
+                 entering ? hairline : 0.0f);
+    return rule::stripeAway(stripe, perPixel) < width;
   }
 
   const DrawnStructure& m_shown;
@@ -208,21 +184,6 @@ class LayerDrawing {
 };
 
 }  // namespace
-
-glm::vec3 ScreenTriangle::weightsAt(const glm::vec2& pixel) const {
-  const glm::vec2 ab = b.pixel - a.pixel;
-  const glm::vec2 ac = c.pixel - a.pixel;
-  const glm::vec2 ap = pixel - a.pixel;
-  const float whole = cross(ab, ac);
-  const float v = cross(ap, ac) / whole;
-  const float w = cross(ab, ap) / whole;
-  return {1.0f - v - w, v, w};
-}
-
-glm::vec3 ScreenTriangle::inSpace(const glm::vec3& weights) const {
-  const glm::vec3 w = weights / glm::vec3(a.w, b.w, c.w);
-  return w / (w.x + w.y + w.z);
-}
 
 bool DepthLayer::variesInOpacity() const {
   float low = 1.0f;

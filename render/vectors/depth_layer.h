@@ -54,22 +54,4 @@ DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, cons
 /// Returns the mean depth of the layer's pixels, 0 … 1.
 float meanDepth(const DepthLayer& layer);
 
-/// Tells which triangle of the surface a pixel shows, and where in the triangle.
-struct SurfaceSpot {
-  std::uint32_t triangle = 0;
-  glm::vec3 weights{0.0f};  ///< of its corners
-};
-
-/// A triangle in the picture.
-struct ScreenTriangle {
-  PictureView::Point a;
-  PictureView::Point b;
-  PictureView::Point c;
-
-  /// Returns the weights of the corners at a pixel, in the picture's plane; they add up to 1.
-  glm::vec3 weightsAt(const glm::vec2& pixel) const;
-  /// Converts such weights to those on the triangle itself, as perspective foreshortens it.
-  glm::vec3 inSpace(const glm::vec3& weights) const;
-};
-
 }  // namespace sline::render

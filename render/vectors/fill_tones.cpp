@@ -9,6 +9,7 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/ground/view_fields.h"
+#include "render/sight/flat_triangle.h"
 #include "render/strokes/fill_shading.h"
 
 namespace sline::render {
@@ -60,10 +61,11 @@ class Shader {
   glm::vec4 colourAt(std::uint32_t triangle, const glm::vec2& pixel) const {
     const auto& corners = m_surface.mesh->triangles()[triangle];
     const auto positions = m_surface.mesh->positions();
-    const ScreenTriangle screen{m_input.view.project(positions[corners[0]]),
-                                m_input.view.project(positions[corners[1]]),
-                                m_input.view.project(positions[corners[2]])};
-    const glm::vec3 w = screen.inSpace(glm::clamp(screen.weightsAt(pixel), 0.0f, 1.0f));
+    const PictureView::Point a = m_input.view.project(positions[corners[0]]);
+    const PictureView::Point b = m_input.view.project(positions[corners[1]]);
+    const PictureView::Point c = m_input.view.project(positions[corners[2]]);
+    const FlatTriangle seen({a.pixel, b.pixel, c.pixel}, 1.0f / glm::vec3(a.w, b.w, c.w));
+    const glm::vec3 w = seen.inSpace(glm::clamp(seen.sharesAt(pixel), 0.0f, 1.0f));
     glm::vec3 place(0.0f);
     glm::vec3 normal(0.0f);
     float gradient = 0.0f;

@@ -69,8 +69,7 @@ void turnOver(std::vector<std::uint32_t>& pixels, std::size_t row) {
 }  // namespace
 
 Status PageEngine::take(std::string_view part) {
-  if (Status taken = m_unpacked.take(part); !taken)
-    return taken;
+  TRY(m_unpacked.take(part));
   show();
   if (!m_hasCamera) {
     const auto overview = model::savedOverview(m_shown);
@@ -245,10 +244,7 @@ model::Scene PageEngine::labelled(bool moving) const {
 }
 
 Status PageEngine::openPicture() {
-  Result<std::unique_ptr<Picture>> made = Picture::create();
-  if (!made.ok())
-    return made.error();
-  m_picture = std::move(*made);
+  m_picture = TRY(Picture::create());
   m_plain = false;
   return Unit{};
 }
@@ -277,10 +273,8 @@ Result<bool> PageEngine::draw(bool moving) {
   std::vector<Outline> outlines;
   if (!m_selected.empty())
     outlines.push_back(selectionOutline(m_selected, m_size.ratio));
-  const Result<bool> drawn = m_picture->drawInto({.target = target(size), .outlines = outlines},
-                                                 m_shown, m_camera, settings);
-  if (!drawn.ok())
-    return drawn.error();
+  TRY(m_picture->drawInto({.target = target(size), .outlines = outlines}, m_shown, m_camera,
+                          settings));
   if (m_plain)
     turnOver(m_pixels, std::size_t(size.width));
   m_judged =

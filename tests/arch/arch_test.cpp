@@ -228,6 +228,14 @@ class ArchTest : public QObject {
     QVERIFY(!checkLicenceLine({"a.cpp", "// nothing\n\n// here\n"}).empty());
     QVERIFY(
         checkLicenceLine({"a.sh", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n"}).empty());
+    const auto tries = [](const std::string& text) { return !checkTries({"a.cpp", text}).empty(); };
+    const std::string handsOn = "  if (!a.ok())\n    return a.error();\n";
+    QVERIFY(tries("  const Result<int> a = f(\n      2);\n" + handsOn));
+    QVERIFY(tries("  auto a = f([] {\n    g();\n  });\n" + handsOn));
+    QVERIFY(tries("  if (const Status a = f();\n      !a.ok())\n    return a.error();\n"));
+    QVERIFY(!tries("  const Result<int> a = f();\n  g();\n" + handsOn));
+    QVERIFY(!tries("int h(Result<int> a) {\n" + handsOn));
+    QVERIFY(!tries("  const Result<int> a = f();\n  if (!a.ok())\n    return named(a.error());\n"));
     QVERIFY(!checkTopLevel({"app", "scripts"}).empty());
     const std::set<std::string> sections = methodSections("## 7. A\n1. b\n   2. c\n## 10. D\n");
     QCOMPARE(sections, (std::set<std::string>{"7", "7.1", "10"}));
@@ -286,6 +294,13 @@ class ArchTest : public QObject {
     Complaints all;
     for (const File& file : files)
       append(all, checkOwnHeaderFirst(file, paths));
+    report(all);
+  }
+  void errorsHandedOn() {
+    Complaints all;
+    for (const File& file : tree({"*.h", "*.cpp"}))
+      if (!file.path.starts_with("tests/"))
+        append(all, checkTries(file));
     report(all);
   }
   void licenceLines() {

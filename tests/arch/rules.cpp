@@ -2,6 +2,7 @@
 #include "tests/arch/rules.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <regex>
 
@@ -348,6 +349,37 @@ Complaints checkCitations(const File& file, const std::set<std::string>& section
     for (std::sregex_iterator one(cited.begin(), cited.end(), number); one != end; ++one)
       if (!sections.contains((*one)[1]))
         out.push_back(file.path + " cites METHOD " + one->str() + ", which render/METHOD.md lacks");
+  }
+  return out;
+}
+
+Complaints checkTries(const File& file) {
+  static const std::regex handsOn(R"(!(\w+)(?:\.ok\(\))?\)\n\s*return \1\.error\(\);)");
+  static const std::regex declared(R"(^(\s*)(?:const )?(?:auto|Status|Result<.*>) (\w+) =.*)");
+  Complaints out;
+  const std::string& text = file.text;
+  for (std::sregex_iterator it(text.begin(), text.end(), handsOn), end; it != end; ++it) {
+    const std::string name = (*it)[1];
+    const auto at = std::size_t(it->position());
+    const std::size_t test = text.rfind("if (", at);
+    const std::size_t line = text.rfind('\n', test) + 1;
+    const std::string inside = text.substr(test, at - test);
+    const std::string margin = text.substr(line, test - line);
+    // Declared within the test, or by the statement before it.
+    bool just = inside.find(" " + name + " = ") != std::string::npos &&
+                margin.find_first_not_of(' ') == std::string::npos;
+    if (inside == "if (") {
+      const std::vector<std::string> before = linesOf(text.substr(0, line));
+      const auto statement = std::find_if(before.rbegin(), before.rend(), [&](const auto& each) {
+        return each.starts_with(margin) && each.size() > margin.size() &&
+               std::isalpha(static_cast<unsigned char>(each[margin.size()]));
+      });
+      std::smatch found;
+      just = statement != before.rend() && std::regex_match(*statement, found, declared) &&
+             found[1] == margin && found[2] == name;
+    }
+    if (just)
+      out.push_back(file.path + ": the error of " + name + " is only handed on: that is TRY");
   }
   return out;
 }

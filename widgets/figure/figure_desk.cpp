@@ -52,31 +52,25 @@ const model::Scene* FigureDesk::sceneOfPanel(std::size_t index) const {
 }
 
 Result<FigureDesk> FigureDesk::read(const OpenScene& open, const std::filesystem::path& file) {
-  Result<model::Figure> figure = model::readFigure(file);
-  if (!figure.ok())
-    return figure.error();
+  model::Figure figure = TRY(model::readFigure(file));
   FigureDesk desk(open);
   desk.m_scenes.clear();
   desk.m_paths.clear();
-  for (const model::FigurePanel& panel : figure->panels) {
-    const std::string& name = model::sceneOf(*figure, panel);
+  for (const model::FigurePanel& panel : figure.panels) {
+    const std::string& name = model::sceneOf(figure, panel);
     if (panel.inset || desk.m_scenes.contains(name))
       continue;
-    const Result<std::filesystem::path> path = model::scenePath(file, name);
-    if (!path.ok())
-      return path.error();
-    desk.m_paths[name] = *path;
-    if (isSameFile(*path, open.file)) {
+    const std::filesystem::path path = TRY(model::scenePath(file, name));
+    desk.m_paths[name] = path;
+    if (isSameFile(path, open.file)) {
       desk.m_scenes[name] = open.scene;
       continue;
     }
-    Result<model::SceneDocument> document = wholeScene(*path);
-    if (!document.ok())
-      return document.error();
-    desk.m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document->scene));
+    model::SceneDocument document = TRY(wholeScene(path));
+    desk.m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document.scene));
   }
-  desk.m_figure = *figure;
-  desk.m_saved = std::move(*figure);
+  desk.m_figure = figure;
+  desk.m_saved = std::move(figure);
   desk.m_file = file;
   return desk;
 }
@@ -87,12 +81,10 @@ Status FigureDesk::save(const std::filesystem::path& file) {
   named.m_paths.clear();
   std::map<std::string, std::string> names;
   for (const auto& [old, path] : m_paths) {
-    Result<std::string> now = model::sceneName(file, path);
-    if (!now.ok())
-      return now.error();
-    named.m_scenes[*now] = m_scenes.at(old);
-    named.m_paths[*now] = path;
-    names[old] = std::move(*now);
+    std::string now = TRY(model::sceneName(file, path));
+    named.m_scenes[now] = m_scenes.at(old);
+    named.m_paths[now] = path;
+    names[old] = std::move(now);
   }
   const auto rename = [&names](std::string& scene) {
     if (const auto found = names.find(scene); found != names.end())
@@ -102,10 +94,8 @@ Status FigureDesk::save(const std::filesystem::path& file) {
   for (model::FigurePanel& panel : named.m_figure.panels)
     if (!panel.scene.empty())
       rename(panel.scene);
-  if (Status fine = model::checkFigure(named.m_figure); !fine.ok())
-    return fine;
-  if (Status written = model::writeFigure(named.m_figure, file); !written.ok())
-    return written;
+  TRY(model::checkFigure(named.m_figure));
+  TRY(model::writeFigure(named.m_figure, file));
   named.m_saved = named.m_figure;
   named.m_file = file;
   *this = std::move(named);
@@ -113,13 +103,11 @@ Status FigureDesk::save(const std::filesystem::path& file) {
 }
 
 Status FigureDesk::addScene(const std::filesystem::path& file) {
-  Result<model::SceneDocument> document = wholeScene(file);
-  if (!document.ok())
-    return document.error();
+  model::SceneDocument document = TRY(wholeScene(file));
   std::string name = file.filename().string();
   while (m_scenes.contains(name) && !isSameFile(m_paths[name], file))
     name.insert(0, "_");
-  const auto scene = std::make_shared<const model::Scene>(model::dressed(document->scene));
+  const auto scene = std::make_shared<const model::Scene>(model::dressed(document.scene));
   for (model::FigurePanel panel : model::figureOf(*scene, name).panels) {
     panel.scene = name;
     m_figure = model::withPanel(m_figure, panel);
@@ -151,12 +139,10 @@ std::vector<std::filesystem::path> FigureDesk::otherFiles() const {
 }
 
 Status FigureDesk::readAgain(const std::filesystem::path& file) {
-  Result<model::SceneDocument> document = wholeScene(file);
-  if (!document.ok())
-    return document.error();
+  model::SceneDocument document = TRY(wholeScene(file));
   for (auto& [name, path] : m_paths)
     if (path == file)
-      m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document->scene));
+      m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document.scene));
   return Unit{};
 }
 

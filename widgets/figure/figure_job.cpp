@@ -9,11 +9,8 @@ namespace sline::widgets {
 
 Result<render::ComposedFigure> composed(const FigureWork& work,
                                         const render::ExportProgress& progress) {
-  const Result<render::FigurePlan> plan =
-      render::planFigure(work.figure, work.scenes, work.options);
-  if (!plan.ok())
-    return plan.error();
-  return render::composeFigure(*plan, progress, work.before.get());
+  const render::FigurePlan plan = TRY(render::planFigure(work.figure, work.scenes, work.options));
+  return render::composeFigure(plan, progress, work.before.get());
 }
 
 FigureJob::FigureJob(FigureWork work, std::filesystem::path target, QObject* parent)
@@ -25,14 +22,13 @@ Status FigureJob::write(const Progress& progress) const {
   constexpr double drawing = 0.5;  // its share of the work, as far as one can tell
   return caught(
       [&]() -> Status {
-        const Result<render::ComposedFigure> figure = composed(
-            m_work,
-            [&](double share, std::string_view what) { return progress(drawing * share, what); });
-        if (!figure.ok())
-          return figure.error();
-        if (const std::vector<Error> faults = render::printFaults(*figure); !faults.empty())
+        const render::ComposedFigure figure =
+            TRY(composed(m_work, [&](double share, std::string_view what) {
+              return progress(drawing * share, what);
+            }));
+        if (const std::vector<Error> faults = render::printFaults(figure); !faults.empty())
           return faults.front();
-        return render::writeFigure(*figure, m_work.options, m_target,
+        return render::writeFigure(figure, m_work.options, m_target,
                                    [&](double share, std::string_view what) {
                                      return progress(drawing + (1.0 - drawing) * share, what);
                                    });

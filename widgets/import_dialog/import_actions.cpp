@@ -72,14 +72,10 @@ Result<LoadedDocument> addedTo(const std::shared_ptr<const model::Scene>& open,
                                const model::ImportProgress& progress) {
   model::ImportPlan request = alone;
   request.options.into = open;
-  const Result<model::ImportPlan> plan = model::planAgain(request, progress);
-  if (!plan.ok())
-    return plan.error();
-  Result<model::Imported> imported = model::carryOut(*plan, progress);
-  if (!imported.ok())
-    return imported.error();
-  LoadedDocument loaded = loadedDocument(std::move(*imported), *plan);
-  loaded.remarks << otherwiseRead(alone, *plan);
+  const model::ImportPlan plan = TRY(model::planAgain(request, progress));
+  model::Imported imported = TRY(model::carryOut(plan, progress));
+  LoadedDocument loaded = loadedDocument(std::move(imported), plan);
+  loaded.remarks << otherwiseRead(alone, plan);
   loaded.added = true;
   return loaded;
 }
@@ -164,14 +160,10 @@ Result<LoadedDocument> withLikelyUnits(const std::vector<ImportRecipe>& recipes,
     model::ImportPlan request = *recipe;
     if (all)
       request.options.into = std::make_shared<const model::Scene>(all->scene);
-    Result<model::ImportPlan> plan = model::planAgain(request, progress);
-    if (!plan.ok())
-      return plan.error();
-    model::chooseLikelyUnits(*plan);
-    Result<model::Imported> imported = model::carryOut(*plan, progress);
-    if (!imported.ok())
-      return imported.error();
-    LoadedDocument loaded = loadedDocument(std::move(*imported), *plan);
+    model::ImportPlan plan = TRY(model::planAgain(request, progress));
+    model::chooseLikelyUnits(plan);
+    model::Imported imported = TRY(model::carryOut(plan, progress));
+    LoadedDocument loaded = loadedDocument(std::move(imported), plan);
     if (all)
       join(*all, loaded);
     else

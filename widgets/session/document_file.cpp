@@ -96,36 +96,32 @@ Result<ReadDocument> readDocument(const fs::path& path,
   // The lock comes first, so that what is read then stays what is on the disk.
   lock(read.file, std::move(held));
   read.file.state = model::fileState(read.file.path);
-  Result<model::SceneDocument> document = model::readSceneFile(path);
-  if (!document.ok())
-    return document.error();
-  read.file.whole = document->whole;
-  read.file.stamp = document->whole ? document->whole : stampOf(path);
-  if (document->isNewer())
+  model::SceneDocument document = TRY(model::readSceneFile(path));
+  read.file.whole = document.whole;
+  read.file.stamp = document.whole ? document.whole : stampOf(path);
+  if (document.isNewer())
     deny(read.file, Writable::newerProgram,
          tr("A newer version of the program has written it; what is unknown here is not shown, and "
             "a copy is saved in the form of this version"));
-  else if (document->isForReading())
-    deny(read.file, Writable::newerProgram, reasonOf(document->leftOut));
-  read.file.thumbnail = textOrNone(std::move(document->thumbnail));
-  if (!document->others.empty())
+  else if (document.isForReading())
+    deny(read.file, Writable::newerProgram, reasonOf(document.leftOut));
+  read.file.thumbnail = textOrNone(std::move(document.thumbnail));
+  if (!document.others.empty())
     read.file.others =
-        std::make_shared<const std::vector<model::ZipMember>>(std::move(document->others));
-  read.scene = std::move(document->scene);
+        std::make_shared<const std::vector<model::ZipMember>>(std::move(document.others));
+  read.scene = std::move(document.scene);
   return read;
 }
 
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held) {
-  Result<model::Recovered> recovered = model::recovered(found);
-  if (!recovered.ok())
-    return recovered.error();
-  ReadDocument read{.scene = recovered->states.front().scene, .file = {.left = found}};
-  read.file.thumbnail = textOrNone(std::move(recovered->rest.thumbnail));
-  if (!recovered->rest.others.empty())
+  model::Recovered recovered = TRY(model::recovered(found));
+  ReadDocument read{.scene = recovered.states.front().scene, .file = {.left = found}};
+  read.file.thumbnail = textOrNone(std::move(recovered.rest.thumbnail));
+  if (!recovered.rest.others.empty())
     read.file.others =
-        std::make_shared<const std::vector<model::ZipMember>>(std::move(recovered->rest.others));
-  read.recovered = std::move(*recovered);
+        std::make_shared<const std::vector<model::ZipMember>>(std::move(recovered.rest.others));
+  read.recovered = std::move(recovered);
   // A name without its folder may be that of any file.
   if (!found.source.file.is_absolute()) {
     tellLeftOut(read);

@@ -33,8 +33,7 @@ struct Journaler::Shared {
     const bool last = --waiting == 0;
     if (Status done = task(*this); !done.ok() || !started())
       return done;
-    if (Status written = journal->writeMeshes(last ? meshesAtOnce : meshesBetween); !written.ok())
-      return written;
+    TRY(journal->writeMeshes(last ? meshesAtOnce : meshesBetween));
     const auto now = std::chrono::steady_clock::now();
     if (!last && now - synced < longestUnsynced)
       return Unit{};
@@ -131,10 +130,7 @@ void Journaler::begin(const Place& from) {
   add([folder = m_folder, source = m_source, rest = std::move(rest), step = from.step,
        selection = m_session.selection(), another](Shared& shared) -> Status {
     if (!shared.journal) {
-      auto reserved = model::Journal::reserve(folder);
-      if (!reserved.ok())
-        return reserved.error();
-      shared.journal = std::move(*reserved);
+      shared.journal = TRY(model::Journal::reserve(folder));
     }
     if (another)
       shared.journal->discardAll();

@@ -14,15 +14,13 @@ SceneJob::SceneJob(SceneMaker maker, QObject* parent)
 Status SceneJob::make(const Progress& progress) {
   return caught(
       [&]() -> Status {
-        Result<LoadedDocument> result = m_maker(
+        LoadedDocument result = TRY(m_maker(
             [&](float done, const std::string& what) { return progress(double(done), what); },
-            stopToken());
-        if (!result.ok())
-          return result.error();
+            stopToken()));
         // A result that was made meanwhile is no longer wanted.
         if (stopped())
           return Error{.reason = "cancelled"};
-        m_loaded = std::make_unique<LoadedDocument>(std::move(*result));
+        m_loaded = std::make_unique<LoadedDocument>(std::move(result));
         return Unit{};
       },
       {.memory = "Close other programs or open fewer files",

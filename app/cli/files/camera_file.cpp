@@ -9,10 +9,8 @@
 namespace sline::cli {
 
 Result<model::Camera> readCamera(const std::filesystem::path& file) {
-  const Result<std::string> text = model::readText(file, 1 << 20);
-  if (!text.ok())
-    return text.error();
-  Result<model::Camera> camera = model::parseCamera(*text);
+  const std::string text = TRY(model::readText(file, 1 << 20));
+  Result<model::Camera> camera = model::parseCamera(text);
   if (camera.ok())
     return camera;
   Error error = camera.error();

@@ -57,10 +57,8 @@ Result<std::set<fs::path>> writtenBefore(const fs::path& folder) {
       return notOurs(folder, "it holds files that no earlier run wrote");
     return std::set<fs::path>();
   }
-  const Result<std::string> list = model::readText(folder / listName, largestFolderList);
-  if (!list.ok())
-    return list.error();
-  std::istringstream lines(*list);
+  const std::string list = TRY(model::readText(folder / listName, largestFolderList));
+  std::istringstream lines(list);
   std::string line;
   if (!std::getline(lines, line) || line != listTitle)
     return notOurs(folder / listName, "it is not the list of an earlier run");
@@ -93,9 +91,7 @@ void removeFiles(const fs::path& folder, const std::set<fs::path>& places) {
 }  // namespace
 
 Status writeMeshFolder(const model::Scene& scene, const fs::path& folder) {
-  const Result<std::set<fs::path>> before = writtenBefore(folder);
-  if (!before.ok())
-    return before.error();
+  const std::set<fs::path> before = TRY(writtenBefore(folder));
   std::set<fs::path> places;
   std::error_code failure;
   for (const model::Node& node : scene.nodes()) {
@@ -104,24 +100,22 @@ Status writeMeshFolder(const model::Scene& scene, const fs::path& folder) {
     const fs::path place = placeOf(scene, node);
     if (!places.insert(place).second)
       return notOurs(folder / place, "two structures would be written to it");
-    if (!before->contains(place) && fs::exists(folder / place, failure))
+    if (!before.contains(place) && fs::exists(folder / place, failure))
       return notOurs(folder / place, "it is there and no earlier run wrote it");
   }
   fs::create_directories(folder, failure);
   if (failure)
     return notOurs(folder, "it cannot be made: " + failure.message());
   std::set<fs::path> all = places;
-  all.insert(before->begin(), before->end());
-  if (Status listed = writeList(folder, all); !listed.ok())
-    return listed;
-  removeFiles(folder, *before);
+  all.insert(before.begin(), before.end());
+  TRY(writeList(folder, all));
+  removeFiles(folder, before);
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup())
       continue;
     const fs::path file = folder / placeOf(scene, node);
     fs::create_directories(file.parent_path(), failure);
-    if (Status written = model::writeText(file, plyText(*node.mesh, "SPACE=LPS")); !written.ok())
-      return written;
+    TRY(model::writeText(file, plyText(*node.mesh, "SPACE=LPS")));
   }
   return writeList(folder, places);
 }

@@ -145,11 +145,9 @@ std::vector<Target> exportTargets(const std::map<std::string, std::string>& byKi
 
 Status checkTargets(std::span<const Target> targets, std::span<const std::string> read) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (const Status named = checkName(targets[i]); !named.ok())
-      return named;
+    TRY(checkName(targets[i]));
     for (const std::string& file : read)
-      if (const Status apart = checkAgainst(targets[i], file); !apart.ok())
-        return apart;
+      TRY(checkAgainst(targets[i], file));
     for (std::size_t k = 0; k < i; ++k)
       if (sameFile(targets[k].name, targets[i].name))
         return Error{.file = targets[i].name,

@@ -33,12 +33,10 @@ Sight openingSight(const model::Scene& scene) {
 }
 
 Result<std::string> drawThumbnail(const model::Scene& scene) {
-  const auto picture = render::HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
+  const auto picture = TRY(render::HeadlessPicture::create());
   const Sight sight = openingSight(scene);
   const Result<render::Image> image =
-      (*picture)->render(sight.scene, sight.camera, {.width = side, .height = side}, samples);
+      picture->render(sight.scene, sight.camera, {.width = side, .height = side}, samples);
   return image.ok() ? render::pngOf(*image) : Result<std::string>(image.error());
 }
 }  // namespace

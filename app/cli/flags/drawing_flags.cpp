@@ -33,25 +33,18 @@ Status parseDrawing(const PictureFlags& flags, PictureSpec& spec) {
     if (flags.background.empty() && !flags.blackAndWhite)
       background = spec.drawing->background;
   }
-  const Result<render::Background> parsed = parseBackground(background);
-  if (!parsed.ok())
-    return parsed.error();
-  spec.environment.background = *parsed;
+  spec.environment.background = TRY(parseBackground(background));
   return Unit{};
 }
 
 Result<model::Scene> inDrawingStyle(const model::Scene& scene, const PictureSpec& spec) {
   if (!spec.drawing)
     return scene;
-  const Result<model::Scene> cut = cutOpen(scene, spec);
-  if (!cut.ok())
-    return cut;
-  const Result<model::Camera> camera = cameraFor(*cut, spec);
-  if (!camera.ok())
-    return camera.error();
+  const model::Scene cut = TRY(cutOpen(scene, spec));
+  const model::Camera camera = TRY(cameraFor(cut, spec));
   model::FormIndex forms;
   const model::Scene drawn =
-      model::withDrawingStyle(*cut, *spec.drawing, forms, {.camera = *camera}).scene;
+      model::withDrawingStyle(cut, *spec.drawing, forms, {.camera = camera}).scene;
   model::Scene after = scene;
   after.setNodes(drawn.nodes());
   std::vector<model::Section> own = scene.sections();

@@ -29,10 +29,8 @@ Status parseSweep(const FilmFlags& flags, const model::Scene& scene, render::Fil
     return Error{.reason = "--sweep names what a gamma-sweep changes, and this film is another",
                  .remedy = "Add --motion gamma-sweep"};
   for (const std::string& name : flags.swept) {
-    const Result<std::vector<model::NodeId>> ids = nodesNamed(scene, name);
-    if (!ids.ok())
-      return ids.error();
-    options.swept.insert(options.swept.end(), ids->begin(), ids->end());
+    const std::vector<model::NodeId> ids = TRY(nodesNamed(scene, name));
+    options.swept.insert(options.swept.end(), ids.begin(), ids.end());
   }
   return Unit{};
 }

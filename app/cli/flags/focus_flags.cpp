@@ -33,10 +33,8 @@ Result<std::vector<model::NodeId>> allNamed(const model::Scene& scene,
   std::vector<model::NodeId> all;
   for (const std::string& text : texts)
     for (const std::string& name : split(scene, text)) {
-      const auto ids = nodesNamed(scene, name);
-      if (!ids.ok())
-        return ids.error();
-      all.insert(all.end(), ids->begin(), ids->end());
+      const auto ids = TRY(nodesNamed(scene, name));
+      all.insert(all.end(), ids.begin(), ids.end());
     }
   return all;
 }
@@ -64,10 +62,7 @@ Result<model::Scene> nearFocused(const model::Scene& scene, const FocusSpec& spe
   if (scene.named(spec.near).empty())
     focus.nearness.place = placeFrom(spec.near);
   if (!focus.nearness.place) {
-    Result<std::vector<model::NodeId>> targets = allNamed(scene, {spec.near});
-    if (!targets.ok())
-      return targets.error();
-    focus.targets = std::move(*targets);
+    focus.targets = TRY(allNamed(scene, {spec.near}));
   }
   model::MeshTrees trees;
   return model::withNearFocus(scene, focus, model::structuresBefore(cut, focus, camera, trees))
@@ -109,10 +104,8 @@ Result<model::Scene> focused(const model::Scene& scene, const FocusSpec& spec,
     return nearFocused(scene, spec, cut, camera);
   if (spec.names.empty())
     return scene;
-  Result<std::vector<model::NodeId>> named = allNamed(scene, spec.names);
-  if (!named.ok())
-    return named.error();
-  const std::vector<model::NodeId>& targets = *named;
+  std::vector<model::NodeId> named = TRY(allNamed(scene, spec.names));
+  const std::vector<model::NodeId>& targets = named;
   model::FormIndex forms;
   model::FocusQuestion question{.targets = targets};
   if (spec.fromCamera)

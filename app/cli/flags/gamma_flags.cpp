@@ -14,11 +14,9 @@ Result<GammaMapWish> parseGammaMap(std::string_view text) {
   const std::size_t at = text.rfind('@');
   const std::string_view what = text.substr(0, at);
   const std::size_t colon = what.find(':');
-  const Result<std::size_t> scalar =
-      parseName(model::gammaScalarNames, "what gamma follows,", what.substr(0, colon));
-  if (!scalar.ok())
-    return scalar.error();
-  GammaMapWish wish{.map = {.scalar = model::GammaScalar(*scalar)}, .target = {}};
+  const std::size_t scalar =
+      TRY(parseName(model::gammaScalarNames, "what gamma follows,", what.substr(0, colon)));
+  GammaMapWish wish{.map = {.scalar = model::GammaScalar(scalar)}, .target = {}};
   const bool toTargets = wish.map.scalar == model::GammaScalar::distance;
   if (colon != std::string_view::npos)
     wish.target = what.substr(colon + 1);
@@ -31,10 +29,7 @@ Result<GammaMapWish> parseGammaMap(std::string_view text) {
   wish.map.curve = model::usualCurve(wish.map.scalar);
   if (at == std::string_view::npos)
     return wish;
-  Result<std::vector<model::GammaPoint>> curve = model::curveFromText(text.substr(at + 1));
-  if (!curve.ok())
-    return curve.error();
-  wish.map.curve = std::move(*curve);
+  wish.map.curve = TRY(model::curveFromText(text.substr(at + 1)));
   if (wish.map.scalar == model::GammaScalar::none)
     return Error{.reason = "\"" + std::string(text) + "\" has a curve, but follows nothing",
                  .remedy = "Leave out what begins with @"};
@@ -45,10 +40,7 @@ Result<model::GammaMap> gammaMapIn(const model::Scene& scene, const GammaMapWish
   model::GammaMap map = wish.map;
   if (wish.target.empty())
     return map;
-  Result<std::vector<model::NodeId>> targets = nodesNamed(scene, wish.target);
-  if (!targets.ok())
-    return targets.error();
-  map.targets = std::move(*targets);
+  map.targets = TRY(nodesNamed(scene, wish.target));
   if (const auto fault = model::gammaMapFault(map))
     return Error{.reason = "the distance from \"" + wish.target +
                            "\" cannot be followed: " + std::string(*fault),

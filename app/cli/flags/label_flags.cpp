@@ -77,15 +77,12 @@ void declareLabels(CLI::App& command, LabelFlags& flags) {
 }
 
 Result<LabelSpec> parseFlags(const LabelFlags& flags) {
-  const Result<render::ExportMarks> marks = parseMarks(flags.marks);
-  if (!marks.ok())
-    return marks.error();
+  const render::ExportMarks marks = TRY(parseMarks(flags.marks));
   render::ExportOrder order;
   order.labels.mode = flags.mode;
-  if (const Status fine = flags.options.applyTo(order); !fine.ok())
-    return fine.error();
+  TRY(flags.options.applyTo(order));
   LabelSpec labels;
-  labels.marks = *marks;
+  labels.marks = marks;
   labels.style = order.labels;
   labels.legend = order.legend;
   return labels;
@@ -112,10 +109,7 @@ Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2
   spec.writeTo(job);
   if (job.bare())
     return Unit{};
-  Result<std::unique_ptr<render::Typesetting>> made = render::Typesetting::create();
-  if (!made.ok())
-    return made.error();
-  spec.typesetting = std::move(*made);
+  spec.typesetting = TRY(render::Typesetting::create());
   job.scene = scene;
   if (const auto view = model::anatomicalViewNamed(model::normalisedName(spec.viewName)))
     job.camera = model::anatomicalCamera(*view, scene.visibleBounds(), pageMm.x / pageMm.y);

@@ -18,10 +18,8 @@ Result<std::vector<model::NodeId>> chosen(const model::Scene& scene, const Measu
                  .remedy = "Name one with --structure, or measure each with --all"};
   std::vector<model::NodeId> found;
   for (const std::string& name : flags.structures) {
-    const auto nodes = nodesNamed(scene, name);
-    if (!nodes.ok())
-      return nodes.error();
-    for (const model::NodeId node : *nodes)
+    const auto nodes = TRY(nodesNamed(scene, name));
+    for (const model::NodeId node : nodes)
       for (const model::NodeId id : scene.structuresBelow(node))
         if (std::find(found.begin(), found.end(), id) == found.end())
           found.push_back(id);
@@ -32,12 +30,8 @@ Result<std::vector<model::NodeId>> chosen(const model::Scene& scene, const Measu
 Result<PictureSpec> pictureSpecOf(const MeasureFlags& flags) {
   PictureSpec spec;
   spec.view = flags.view;
-  const Result<Size> size = parseSize(flags.size);
-  if (!size.ok())
-    return size.error();
-  spec.size = *size;
-  if (const Status taken = takeCamera(flags.cameraFile, spec); !taken.ok())
-    return taken.error();
+  spec.size = TRY(parseSize(flags.size));
+  TRY(takeCamera(flags.cameraFile, spec));
   return spec;
 }
 
@@ -45,22 +39,14 @@ Result<PictureSpec> pictureSpecOf(const MeasureFlags& flags) {
 
 Result<MeasureSpec> readMeasureSpec(const MeasureFlags& flags, Progress& progress, bool& wrongUse) {
   wrongUse = true;
-  const Result<model::ImportOptions> options = importOptions(flags.input);
-  if (!options.ok())
-    return options.error();
-  const Result<PictureSpec> picture = pictureSpecOf(flags);
-  if (!picture.ok())
-    return picture.error();
+  const model::ImportOptions options = TRY(importOptions(flags.input));
+  const PictureSpec picture = TRY(pictureSpecOf(flags));
   wrongUse = false;
-  Result<model::Imported> imported = readInputs(flags.input, *options, progress);
-  if (!imported.ok())
-    return imported.error();
+  model::Imported imported = TRY(readInputs(flags.input, options, progress));
   wrongUse = true;
-  const auto structures = chosen(imported->scene, flags);
-  if (!structures.ok())
-    return structures.error();
+  const auto structures = TRY(chosen(imported.scene, flags));
   return MeasureSpec{
-      .scene = std::move(imported->scene), .structures = *structures, .picture = *picture};
+      .scene = std::move(imported.scene), .structures = structures, .picture = picture};
 }
 
 Result<render::Subject> subjectOf(const MeasureSpec& spec, model::NodeId structure) {
@@ -68,10 +54,7 @@ Result<render::Subject> subjectOf(const MeasureSpec& spec, model::NodeId structu
                           .width = spec.picture.size.width,
                           .height = spec.picture.size.height};
   subject.scene.setViews(spec.scene.views());
-  const Result<model::Camera> camera = cameraFor(subject.scene, spec.picture);
-  if (!camera.ok())
-    return camera.error();
-  subject.camera = *camera;
+  subject.camera = TRY(cameraFor(subject.scene, spec.picture));
   return subject;
 }
 

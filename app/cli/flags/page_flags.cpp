@@ -57,16 +57,12 @@ void declarePage(CLI::App& command, PageFlags& flags) {
 
 Result<render::ExportPage> parseFlags(const PageFlags& flags) {
   if (flags.sizePx.empty()) {
-    const Result<glm::vec2> size = parsePage(flags.sizeMm);
-    if (!size.ok())
-      return size.error();
-    return render::ExportPage{.sizeMm = *size, .dpi = float(flags.dpi)};
+    const glm::vec2 size = TRY(parsePage(flags.sizeMm));
+    return render::ExportPage{.sizeMm = size, .dpi = float(flags.dpi)};
   }
-  const Result<Size> size = parseSize(flags.sizePx);
-  if (!size.ok())
-    return size.error();
+  const Size size = TRY(parseSize(flags.sizePx));
   const float pixel = render::millimetresPerInch / float(flags.dpi);
-  return render::ExportPage{.sizeMm = pixel * glm::vec2(float(size->width), float(size->height)),
+  return render::ExportPage{.sizeMm = pixel * glm::vec2(float(size.width), float(size.height)),
                             .dpi = float(flags.dpi)};
 }
 

@@ -30,13 +30,11 @@ Status parseAssignments(const std::vector<std::string>& texts, const Parse& pars
                         std::vector<Assignment<T>>& assignments) {
   for (const std::string& text : texts) {
     const std::optional<NamedValue> named = splitNamed(text);
-    const Result<T> value = parse(named ? named->value : text);
-    if (!value.ok())
-      return value.error();
+    const T value = TRY(parse(named ? named->value : text));
     if (named && model::normalisedName(named->name).empty())
       return Error{.reason = "\"" + text + "\" names no structure",
                    .remedy = "Write NAME=" + named->value};
-    assignments.push_back({named ? std::optional<std::string>(named->name) : std::nullopt, *value});
+    assignments.push_back({named ? std::optional<std::string>(named->name) : std::nullopt, value});
   }
   return Unit{};
 }
@@ -64,10 +62,8 @@ Status collect(const model::Scene& scene, const std::vector<Assignment<model::St
       patches.insert({0, {model::rootId, assignment.value}});
       continue;
     }
-    const auto ids = nodesNamed(scene, *assignment.name);
-    if (!ids.ok())
-      return ids.error();
-    for (const model::NodeId id : *ids)
+    const auto ids = TRY(nodesNamed(scene, *assignment.name));
+    for (const model::NodeId id : ids)
       patches.insert({depthOf(scene, id), {id, assignment.value}});
   }
   return Unit{};
@@ -95,10 +91,8 @@ std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id)
 Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::string>& names) {
   std::vector<model::NodeId> shown;
   for (const std::string& name : names) {
-    const auto ids = nodesNamed(scene, name);
-    if (!ids.ok())
-      return ids.error();
-    shown.insert(shown.end(), ids->begin(), ids->end());
+    const auto ids = TRY(nodesNamed(scene, name));
+    shown.insert(shown.end(), ids.begin(), ids.end());
   }
   return model::withOnlyVisible(scene, shown).scene;
 }
@@ -144,11 +138,9 @@ const model::View* savedView(const model::Scene& scene, const std::string& name)
 namespace {
 
 Result<int> parseSampleCount(const std::string& text, const Size& size) {
-  const Result<std::optional<int>> samples = parseSamples(text);
-  if (!samples.ok())
-    return samples.error();
-  const int number = samples->value_or(render::samplesAtOnce({size.width, size.height}));
-  if (*samples && std::max(size.width, size.height) > render::pixelSideLimits.high / number)
+  const std::optional<int> samples = TRY(parseSamples(text));
+  const int number = samples.value_or(render::samplesAtOnce({size.width, size.height}));
+  if (samples && std::max(size.width, size.height) > render::pixelSideLimits.high / number)
     return Error{.reason = text + " samples across a pixel are too many for so large a picture",
                  .remedy = "Its longer side times the samples may reach " +
                            std::to_string(render::pixelSideLimits.high) + "; take fewer"};
@@ -157,27 +149,18 @@ Result<int> parseSampleCount(const std::string& text, const Size& size) {
 
 /// Reads the kind of hatching and the light that it is drawn for.
 Status parseHatchingFlags(const PictureFlags& flags, PictureSpec& spec) {
-  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
-  if (!hatching.ok())
-    return hatching.error();
-  spec.hatching = *hatching;
+  spec.hatching = TRY(parseHatching(flags.hatching));
   spec.environment.keyLight = flags.keyLight;
   if (flags.light.empty())
     return Unit{};
-  const Result<glm::vec3> light = parseLight(flags.light);
-  if (!light.ok())
-    return light.error();
-  spec.environment.light = *light;
+  spec.environment.light = TRY(parseLight(flags.light));
   return Unit{};
 }
 
 Status parseFillFlag(const PictureFlags& flags, PictureSpec& spec) {
   if (flags.fill.empty())
     return Unit{};
-  const Result<model::Fill> fill = parseFill(flags.fill);
-  if (!fill.ok())
-    return fill.error();
-  spec.fill = *fill;
+  spec.fill = TRY(parseFill(flags.fill));
   return Unit{};
 }
 
@@ -187,23 +170,17 @@ Status parseStyleFlags(const PictureFlags& flags, PictureSpec& spec) {
     if (typed == flags.styles.end())
       continue;
     const auto parse = [&flag](std::string_view text) { return flag.parse(flag.what, text); };
-    if (Status parsed = parseAssignments(typed->second, parse, spec.styles); !parsed.ok())
-      return parsed;
+    TRY(parseAssignments(typed->second, parse, spec.styles));
   }
   for (const std::string& text : flags.lineThresholds) {
-    const Result<model::ThresholdValue> value = render::parseThresholdValue(text);
-    if (!value.ok())
-      return value.error();
-    spec.lineThresholds.set(value->name, value->value);
+    const model::ThresholdValue value = TRY(render::parseThresholdValue(text));
+    spec.lineThresholds.set(value.name, value.value);
   }
   return Unit{};
 }
 
 Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
-  const Result<LabelSpec> labels = parseFlags(flags.labels);
-  if (!labels.ok())
-    return labels.error();
-  spec.labels = *labels;
+  spec.labels = TRY(parseFlags(flags.labels));
   spec.labels.style.ground = spec.environment.background;
   return Unit{};
 }
@@ -211,8 +188,7 @@ Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
 }  // namespace
 
 Result<PictureSpec> parseFlags(const PictureFlags& flags) {
-  if (Status named = render::checkImageName(flags.output); !named.ok())
-    return named.error();
+  TRY(render::checkImageName(flags.output));
   return parseFlagsWithoutOutput(flags);
 }
 
@@ -225,61 +201,35 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
                  .remedy = "Give --look auto or --look plain"};
   spec.choosesLook = flags.look == "auto";
   spec.only = flags.only;
-  const Result<Size> size = parseSize(flags.size);
-  if (!size.ok())
-    return size.error();
-  spec.size = *size;
-  const Result<int> samples = parseSampleCount(flags.samples, *size);
-  if (!samples.ok())
-    return samples.error();
-  spec.samples = *samples;
-  if (const Status drawing = parseDrawing(flags, spec); !drawing.ok())
-    return drawing.error();
-  if (const Status drawn = parseHatchingFlags(flags, spec); !drawn.ok())
-    return drawn.error();
+  const Size size = TRY(parseSize(flags.size));
+  spec.size = size;
+  spec.samples = TRY(parseSampleCount(flags.samples, size));
+  TRY(parseDrawing(flags, spec));
+  TRY(parseHatchingFlags(flags, spec));
   spec.blackAndWhite = flags.blackAndWhite;
-  if (const Status filled = parseFillFlag(flags, spec); !filled.ok())
-    return filled.error();
-  if (Status parsed = parseAssignments(flags.gammas, parseGamma, spec.gammas); !parsed.ok())
-    return parsed.error();
-  if (Status parsed = parseAssignments(flags.gammaMaps, parseGammaMap, spec.gammaMaps);
-      !parsed.ok())
-    return parsed.error();
-  if (Status parsed = parseAssignments(flags.colours, parseColour, spec.colours); !parsed.ok())
-    return parsed.error();
-  if (Status parsed = parseAssignments(flags.inkColours, parseColour, spec.inkColours);
-      !parsed.ok())
-    return parsed.error();
-  if (const Status set = parseStyleFlags(flags, spec); !set.ok())
-    return set.error();
+  TRY(parseFillFlag(flags, spec));
+  TRY(parseAssignments(flags.gammas, parseGamma, spec.gammas));
+  TRY(parseAssignments(flags.gammaMaps, parseGammaMap, spec.gammaMaps));
+  TRY(parseAssignments(flags.colours, parseColour, spec.colours));
+  TRY(parseAssignments(flags.inkColours, parseColour, spec.inkColours));
+  TRY(parseStyleFlags(flags, spec));
   for (const Assignment<Colour>& assignment : spec.colours)
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",
                    .remedy = "Write NAME=#rrggbb"};
-  const Result<FocusSpec> focus = parseFlags(flags.focus);
-  if (!focus.ok())
-    return focus.error();
-  spec.focus = *focus;
-  if (const Status labelled = parseLabelFlags(flags, spec); !labelled.ok())
-    return labelled.error();
-  const Result<SectionsSpec> sections = parseFlags(flags.sections);
-  if (!sections.ok())
-    return sections.error();
-  spec.sections = *sections;
+  spec.focus = TRY(parseFlags(flags.focus));
+  TRY(parseLabelFlags(flags, spec));
+  spec.sections = TRY(parseFlags(flags.sections));
   spec.sections.hatched = spec.sections.hatched || spec.blackAndWhite ||
                           (spec.drawing && spec.drawing->hatchedSections);
-  if (const Status taken = takeCamera(flags.cameraFile, spec); !taken.ok())
-    return taken.error();
+  TRY(takeCamera(flags.cameraFile, spec));
   return spec;
 }
 
 Status takeCamera(const std::string& file, PictureSpec& spec) {
   if (file.empty())
     return Unit{};
-  const Result<model::Camera> camera = readCamera(file);
-  if (!camera.ok())
-    return camera.error();
-  spec.camera = *camera;
+  spec.camera = TRY(readCamera(file));
   return Unit{};
 }
 
@@ -338,23 +288,16 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
     style.fill = spec.fill;
     patches.insert({0, {model::rootId, style}});
   }
-  if (Status ok = collect(scene, spec.gammas, &model::Style::gamma, patches); !ok.ok())
-    return ok.error();
+  TRY(collect(scene, spec.gammas, &model::Style::gamma, patches));
   std::vector<Assignment<model::GammaMap>> maps;
   for (const Assignment<GammaMapWish>& wish : spec.gammaMaps) {
-    Result<model::GammaMap> map = gammaMapIn(scene, wish.value);
-    if (!map.ok())
-      return map.error();
-    maps.push_back({wish.name, std::move(*map)});
+    model::GammaMap map = TRY(gammaMapIn(scene, wish.value));
+    maps.push_back({wish.name, std::move(map)});
   }
-  if (Status ok = collect(scene, maps, &model::Style::gammaMap, patches); !ok.ok())
-    return ok.error();
-  if (Status ok = collect(scene, spec.colours, &model::Style::colour, patches); !ok.ok())
-    return ok.error();
-  if (Status ok = collect(scene, spec.inkColours, &model::Style::inkColour, patches); !ok.ok())
-    return ok.error();
-  if (Status ok = collect(scene, spec.styles, patches); !ok.ok())
-    return ok.error();
+  TRY(collect(scene, maps, &model::Style::gammaMap, patches));
+  TRY(collect(scene, spec.colours, &model::Style::colour, patches));
+  TRY(collect(scene, spec.inkColours, &model::Style::inkColour, patches));
+  TRY(collect(scene, spec.styles, patches));
   model::Scene result = scene;
   for (const auto& [depth, patch] : patches)
     result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
@@ -369,13 +312,9 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
     return scene;
   if (!spec.drawing && (!spec.choosesLook || spec.fill || sayForAll(spec.gammas)))
     return scene;
-  const Result<model::Scene> some =
-      spec.only.empty() ? Result<model::Scene>(scene) : withOnly(scene, spec.only);
-  if (!some.ok())
-    return some;
-  const Result<model::Scene> cut = cutOpen(*some, spec);
-  if (!cut.ok())
-    return cut;
+  const model::Scene some =
+      TRY(spec.only.empty() ? Result<model::Scene>(scene) : withOnly(scene, spec.only));
+  const model::Scene cut = TRY(cutOpen(some, spec));
   model::OpeningWishes wishes{.aspect = spec.size.aspect()};
   if (spec.camera)
     wishes.camera = spec.camera;
@@ -386,7 +325,7 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
   else if (!spec.view.empty())
     wishes.view = viewOf(spec);
   model::FormIndex forms;
-  const std::optional<model::OpeningLook> look = model::openingLook(*cut, forms, wishes);
+  const std::optional<model::OpeningLook> look = model::openingLook(cut, forms, wishes);
   if (!look)
     return scene;
   if (look->view)
@@ -403,23 +342,17 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec) {
   if (!spec.focus.any())
     return scene;
-  const Result<model::Scene> cut = cutOpen(scene, spec);
-  if (!cut.ok())
-    return cut;
-  const Result<model::Camera> camera = cameraFor(*cut, spec);
-  if (!camera.ok())
-    return camera.error();
-  return focused(scene, spec.focus, *cut, *camera);
+  const model::Scene cut = TRY(cutOpen(scene, spec));
+  const model::Camera camera = TRY(cameraFor(cut, spec));
+  return focused(scene, spec.focus, cut, camera);
 }
 
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec) {
   if (spec.sections.sections.empty())
     return scene;
   // Which half faces the camera does not depend on how it is fitted.
-  const Result<model::Camera> camera = cameraFor(scene, spec);
-  if (!camera.ok())
-    return camera.error();
-  return sectioned(scene, spec.sections, *camera);
+  const model::Camera camera = TRY(cameraFor(scene, spec));
+  return sectioned(scene, spec.sections, camera);
 }
 
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& spec) {
@@ -440,24 +373,20 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
                   Progress& progress) {
   if (scene.visibleBounds().empty())
     warn("no structure is visible: the picture is empty");
-  const auto picture = render::HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
-  progress.note("Drawing with " + picture->driver());
+  const auto picture = TRY(render::HeadlessPicture::create());
+  progress.note("Drawing with " + picture.driver());
   progress.show(0.0, "preparing surfaces");
   const render::PictureSettings settings{.width = spec.size.width,
                                          .height = spec.size.height,
                                          .environment = spec.environment,
                                          .hatching = spec.hatching};
-  (*picture)->prepare(scene, camera, settings, spec.samples);
+  picture->prepare(scene, camera, settings, spec.samples);
   progress.show(0.5, "drawing");
-  Result<render::Image> image = (*picture)->render(scene, camera, settings, spec.samples);
-  if (!image.ok())
-    return image.error();
-  drawLabels(*image, scene, camera, spec.labels, spec.environment.background);
+  render::Image image = TRY(picture->render(scene, camera, settings, spec.samples));
+  drawLabels(image, scene, camera, spec.labels, spec.environment.background);
   progress.show(0.9, "writing " + spec.output);
   const Interruption interruption;  // what is written is soon whole
-  return render::writeImage(*image, spec.output);
+  return render::writeImage(image, spec.output);
 }
 
 }  // namespace sline::cli

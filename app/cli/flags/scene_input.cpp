@@ -35,30 +35,22 @@ void tellUnits(const model::ImportReport& report) {
 Result<std::optional<model::SideAnswer>> parseSides(const std::string& text) {
   if (text.empty())
     return std::optional<model::SideAnswer>();
-  const auto index = parseName(model::sideAnswerNames, "--sides", text);
-  if (!index.ok())
-    return index.error();
-  return std::optional(model::SideAnswer(*index));
+  const auto index = TRY(parseName(model::sideAnswerNames, "--sides", text));
+  return std::optional(model::SideAnswer(index));
 }
 
 Result<model::ImportOptions> importOptions(const InputFlags& flags) {
   model::ImportOptions options;
-  if (const auto sides = parseSides(flags.sides); !sides.ok())
-    return sides.error();
+  TRY(parseSides(flags.sides));
   if (!flags.frame.empty()) {
-    const auto frame = parseFrame(flags.frame);
-    if (!frame.ok())
-      return frame.error();
-    options.frame = *frame;
+    options.frame = TRY(parseFrame(flags.frame));
   }
   if (!flags.unit.empty()) {
-    const auto unit = parseUnit(flags.unit);
-    if (!unit.ok())
-      return unit.error();
+    const auto unit = TRY(parseUnit(flags.unit));
     if (options.frame == model::Frame::file)
       return Error{.reason = "--frame file leaves coordinates as they are, whatever their unit",
                    .remedy = "Leave out one of --frame and --unit"};
-    options.unit = *unit;
+    options.unit = unit;
   }
   if (!flags.overlay.empty() && flags.overlay != "auto" && flags.overlay != "off")
     return Error{.reason = "--overlay " + flags.overlay + " is unknown",
@@ -67,16 +59,11 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
     options.overlay = model::Overlay::off;
   options.assembly = flags.assembly;
   if (!flags.smooth.empty()) {
-    const auto smoothing = parseSmoothing(flags.smooth);
-    if (!smoothing.ok())
-      return smoothing.error();
-    options.smoothing = *smoothing;
+    options.smoothing = TRY(parseSmoothing(flags.smooth));
   }
   for (const std::string& text : flags.thresholds) {
-    const auto threshold = parseThreshold(text);
-    if (!threshold.ok())
-      return threshold.error();
-    options.thresholds.push_back(*threshold);
+    const auto threshold = TRY(parseThreshold(text));
+    options.thresholds.push_back(threshold);
   }
   options.keepScans = flags.keepScans;
   if (flags.together)

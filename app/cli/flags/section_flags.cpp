@@ -130,10 +130,8 @@ Result<SectionsSpec> parseFlags(const SectionFlags& flags) {
     spec.faces = *faces;
   }
   for (const std::string& text : flags.sections) {
-    const Result<SectionText> section = parseSection(text);
-    if (!section.ok())
-      return section.error();
-    spec.sections.push_back(*section);
+    const SectionText section = TRY(parseSection(text));
+    spec.sections.push_back(section);
   }
   if (flags.sections.empty() && (!flags.groups.empty() || flags.hatched || !flags.faces.empty()))
     return Error{.reason = "a section's group, faces or hatching is given without a section",
@@ -145,10 +143,8 @@ Result<model::Scene> sectioned(const model::Scene& scene, const SectionsSpec& sp
                                const model::Camera& camera) {
   std::vector<model::NodeId> scopes;
   for (const std::string& name : spec.groups) {
-    const auto ids = nodesNamed(scene, name);
-    if (!ids.ok())
-      return ids.error();
-    scopes.insert(scopes.end(), ids->begin(), ids->end());
+    const auto ids = TRY(nodesNamed(scene, name));
+    scopes.insert(scopes.end(), ids.begin(), ids.end());
   }
   if (scopes.empty())
     scopes.push_back(model::rootId);

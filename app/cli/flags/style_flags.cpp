@@ -14,25 +14,21 @@ namespace {
 template <const auto& Field>
 Result<model::Style> parseStyleField(std::string_view what, std::string_view text) {
   using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
-  const Result<float> number = parseWithin(what, text, Field.limits());
-  if (!number)
-    return number.error();
+  const float number = TRY(parseWithin(what, text, Field.limits()));
   model::Style style;
   if constexpr (std::is_same_v<Value, float>)
-    style.*Field.own = *number;
+    style.*Field.own = number;
   else
-    style.*Field.own = Value::clamped(*number);
+    style.*Field.own = Value::clamped(number);
   return style;
 }
 
 template <const auto& Field>
 Result<model::Style> parseStyleChoice(std::string_view what, std::string_view text) {
   using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
-  const Result<std::size_t> place = parseName(model::namesOf(Value()), what, text);
-  if (!place)
-    return place.error();
+  const std::size_t place = TRY(parseName(model::namesOf(Value()), what, text));
   model::Style style;
-  style.*Field.own = Value(*place);
+  style.*Field.own = Value(place);
   return style;
 }
 

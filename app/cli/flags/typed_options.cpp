@@ -95,10 +95,7 @@ Result<render::OptionValue> parseTypedOption(const render::ExportOption& option,
                                              const std::string& typed) {
   std::string text = typed;
   if (const auto* kind = std::get_if<render::TextOption>(&option.kind); kind && kind->fromFile) {
-    const Result<std::string> read = textOrFile(typed);
-    if (!read.ok())
-      return read.error();
-    text = *read;
+    text = TRY(textOrFile(typed));
   }
   Result<render::OptionValue> value = render::parseOption(option, text);
   if (value.ok())
@@ -111,10 +108,8 @@ Result<render::OptionValue> parseTypedOption(const render::ExportOption& option,
 
 Status TypedOptions::applyTo(render::ExportOrder& order) const {
   for (const auto& [option, text] : m_texts) {
-    const Result<render::OptionValue> value = parseTypedOption(*option, text);
-    if (!value.ok())
-      return value.error();
-    option->field.write(order, *value);
+    const render::OptionValue value = TRY(parseTypedOption(*option, text));
+    option->field.write(order, value);
   }
   return Unit{};
 }

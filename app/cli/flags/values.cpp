@@ -92,10 +92,8 @@ Result<Size> parseSize(std::string_view text) {
 }
 
 Result<std::optional<int>> parseSamples(const std::string& text) {
-  const Result<render::OptionValue> samples = parseTypedOption(render::samplesOption, text);
-  if (!samples.ok())
-    return samples.error();
-  const int number = std::get<int>(*samples);
+  const render::OptionValue samples = TRY(parseTypedOption(render::samplesOption, text));
+  const int number = std::get<int>(samples);
   return number > 0 ? std::optional(number) : std::nullopt;
 }
 
@@ -213,17 +211,13 @@ Result<std::size_t> parseName(std::span<const std::string_view> names, std::stri
 }
 
 Result<model::Fill> parseFill(std::string_view text) {
-  const Result<std::size_t> place = parseName(model::fillNames, "fill", text);
-  if (!place)
-    return place.error();
-  return model::Fill(*place);
+  const std::size_t place = TRY(parseName(model::fillNames, "fill", text));
+  return model::Fill(place);
 }
 
 Result<render::Background> parseBackground(const std::string& text) {
-  const Result<render::OptionValue> background = parseTypedOption(render::backgroundOption, text);
-  if (!background.ok())
-    return background.error();
-  return render::fromOptionValue<render::Background>(*background);
+  const render::OptionValue background = TRY(parseTypedOption(render::backgroundOption, text));
+  return render::fromOptionValue<render::Background>(background);
 }
 
 Result<render::HatchingMethod> parseHatching(std::string_view text) {

@@ -70,8 +70,7 @@ Result<model::ViewWords> withWordFlags(const model::ViewWords& words, const View
   for (const Said& said :
        {Said{"--title", flags.title, changed.title}, Said{"--text", flags.text, changed.text},
         Said{"--notes", flags.notes, changed.notes}, Said{"--alt", flags.alt, changed.description}})
-    if (const Status applied = applyWords(said.flag, said.values, said.wording); !applied.ok())
-      return applied.error();
+    TRY(applyWords(said.flag, said.values, said.wording));
   if (flags.seconds && *flags.seconds != 0.0f && !model::viewSecondsLimits.contain(*flags.seconds))
     return Error{.reason = "--seconds takes 0.1 to 3600, or 0 for as long as others",
                  .remedy = "Choose another time"};

@@ -55,10 +55,8 @@ class TableReader {
       return std::optional<Row>();
     Row row{.line = m_place.line, .cells = {}};
     for (;;) {
-      const Result<std::string> cell = readCell();
-      if (!cell.ok())
-        return cell.error();
-      row.cells.push_back(*cell);
+      const std::string cell = TRY(readCell());
+      row.cells.push_back(cell);
       if (m_at < m_text.size() && m_text[m_at] == m_separator) {
         step();
         continue;
@@ -177,13 +175,11 @@ Result<Job> jobOf(const Json& object, const std::string& name, const ElementPosi
   const std::string where = name + ", " + place.at.text();
   if (!object.is_object())
     return fault(where, "it is no object", R"(Write each job as {"input": …, "svg": …})");
-  const auto places = keyPositions(place, name);
-  if (!places.ok())
-    return places.error();
+  const auto places = TRY(keyPositions(place, name));
   Job job{.where = name + ", line " + std::to_string(place.at.line), .fields = {}};
   for (const auto& [key, value] : object.items()) {
-    const auto at = places->find(key);
-    const std::string keyAt = (at == places->end() ? place.at : at->second).text();
+    const auto at = places.find(key);
+    const std::string keyAt = (at == places.end() ? place.at : at->second).text();
     const std::string field = name + ", " + jsonText(Json(key)) + ", " + keyAt;
     if (value.is_null() || (value.is_boolean() && !value.get<bool>()))
       continue;
@@ -217,17 +213,14 @@ Result<std::vector<Job>> jobsOfTable(std::string_view text) {
   std::optional<Row> heading;
   std::vector<Job> jobs;
   for (;;) {
-    const Result<std::optional<Row>> row = reader.next();
-    if (!row.ok())
-      return row.error();
-    if (!*row)
+    const std::optional<Row> row = TRY(reader.next());
+    if (!row)
       break;
-    if ((*row)->empty())
+    if (row->empty())
       continue;
-    const Row& cells = **row;
+    const Row& cells = *row;
     if (!heading) {
-      if (const Status fine = checkHeading(cells); !fine.ok())
-        return fine.error();
+      TRY(checkHeading(cells));
       heading = cells;
       continue;
     }
@@ -269,11 +262,9 @@ Result<std::vector<Job>> jobsOfJson(std::string_view text) {
   std::vector<Job> jobs;
   for (const Json& each : list) {
     const std::size_t i = jobs.size();
-    Result<Job> job = jobOf(each, "job " + std::to_string(i + 1),
-                            i < places.size() ? places[i] : ElementPositions());
-    if (!job.ok())
-      return job.error();
-    jobs.push_back(std::move(*job));
+    Job job = TRY(jobOf(each, "job " + std::to_string(i + 1),
+                        i < places.size() ? places[i] : ElementPositions()));
+    jobs.push_back(std::move(job));
   }
   if (jobs.empty())
     return emptyListError();
@@ -281,11 +272,9 @@ Result<std::vector<Job>> jobsOfJson(std::string_view text) {
 }
 
 Result<std::vector<Job>> readJobList(const std::filesystem::path& file) {
-  const Result<std::string> text = model::readText(file, largestList);
-  if (!text.ok())
-    return text.error();
+  const std::string text = TRY(model::readText(file, largestList));
   Result<std::vector<Job>> jobs =
-      lowerExtension(file) == ".json" ? jobsOfJson(*text) : jobsOfTable(*text);
+      lowerExtension(file) == ".json" ? jobsOfJson(text) : jobsOfTable(text);
   if (jobs.ok())
     return jobs;
   Error error = jobs.error();

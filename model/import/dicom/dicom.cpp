@@ -28,16 +28,14 @@ auto withinMemory(const std::filesystem::path& file, const Read& read) -> declty
 }
 
 Result<RawMeshes> surfacesIn(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<DicomFile> dicom = DicomFile::read(file, options.limits);
-  if (!dicom)
-    return dicom.error();
-  const std::string& kind = dicom->sopClass();
+  const DicomFile dicom = TRY(DicomFile::read(file, options.limits));
+  const std::string& kind = dicom.sopClass();
   if (kind == structureSetClass)
-    return structureSetSurfaces(*dicom, options);
+    return structureSetSurfaces(dicom, options);
   if (holdsStructures(kind))
-    return segmentationSurfaces(*dicom, options);
+    return segmentationSurfaces(dicom, options);
   const std::string_view name = objectName(kind);
-  return dicom->source().whole(
+  return dicom.source().whole(
       name.empty() ? "is DICOM of a kind that is not known here and holds no segmentation"
                    : "holds no segmentation: its content is of the kind " + std::string(name),
       "Give the DICOM segmentation or RT structure set that was made from it");

@@ -259,14 +259,11 @@ Result<DicomFile> DicomFile::parsed(Source source, Extent extent) {
   const std::string syntax = header.text(transferSyntax);
   std::string_view rest = text.substr(bytes.position());
   if (syntax == deflated) {
-    Result<std::string> data = file.unpacked(rest);
-    if (!data)
-      return data.error();
-    file.m_inflated = std::make_unique<const std::string>(std::move(*data));
+    std::string data = TRY(file.unpacked(rest));
+    file.m_inflated = std::make_unique<const std::string>(std::move(data));
     rest = *file.m_inflated;
   }
-  if (const Status status = file.parseData(rest, syntax, extent); !status)
-    return status.error();
+  TRY(file.parseData(rest, syntax, extent));
   file.m_sopClass = file.m_data.text(sopClassUid);
   if (file.m_sopClass.empty())
     file.m_sopClass = header.text(metaSopClass);
@@ -275,18 +272,14 @@ Result<DicomFile> DicomFile::parsed(Source source, Extent extent) {
 }
 
 Result<DicomFile> DicomFile::read(const std::filesystem::path& file, const ReadLimits& limits) {
-  Result<Source> source = Source::readStored(file, limits);
-  if (!source)
-    return source.error();
-  return parsed(std::move(*source), Extent::whole);
+  Source source = TRY(Source::readStored(file, limits));
+  return parsed(std::move(source), Extent::whole);
 }
 
 Result<DicomFile> DicomFile::readBeginning(const std::filesystem::path& file,
                                            const ReadLimits& limits) {
-  Result<Source> source = Source::readStored(file, limits, beginningRead);
-  if (!source)
-    return source.error();
-  Result<DicomFile> beginning = parsed(std::move(*source), Extent::beginning);
+  Source source = TRY(Source::readStored(file, limits, beginningRead));
+  Result<DicomFile> beginning = parsed(std::move(source), Extent::beginning);
   return beginning ? std::move(beginning) : read(file, limits);
 }
 

@@ -84,11 +84,9 @@ class SeriesReader {
     for (const std::filesystem::path& file : m_files) {
       if (!m_options.goesOn())
         return Error{file.string(), {}, "was not read to its end", "Read the series again"};
-      if (const Status status = addFile(file); !status)
-        return status.error();
+      TRY(addFile(file));
     }
-    if (const Status status = sort(); !status)
-      return status.error();
+    TRY(sort());
     return assembled();
   }
 
@@ -98,40 +96,34 @@ class SeriesReader {
   }
 
   Status addFile(const std::filesystem::path& path) {
-    const Result<DicomFile> file = DicomFile::read(path, m_options.limits);
-    if (!file)
-      return file.error();
-    const std::string scanner(scannerOf(file->sopClass()));
+    const DicomFile file = TRY(DicomFile::read(path, m_options.limits));
+    const std::string scanner(scannerOf(file.sopClass()));
     if (scanner.empty()) {
-      const std::string kind(objectName(file->sopClass()));
-      return file->source().whole("is no slice of CT, MR or PET" +
-                                      (kind.empty() ? "" : ": its content is of the kind " + kind),
-                                  sortThem);
+      const std::string kind(objectName(file.sopClass()));
+      return file.source().whole("is no slice of CT, MR or PET" +
+                                     (kind.empty() ? "" : ": its content is of the kind " + kind),
+                                 sortThem);
     }
-    const std::string series = file->data().text(seriesUid);
+    const std::string series = file.data().text(seriesUid);
     if (m_slices.empty()) {
       m_scanner = scanner;
       m_series = series;
     }
     if (scanner != m_scanner || series != m_series)
-      return file->source().whole("belongs to another series than the first slice", sortThem);
-    m_bytes += file->source().size();
-    return addFrames(*file);
+      return file.source().whole("belongs to another series than the first slice", sortThem);
+    m_bytes += file.source().size();
+    return addFrames(file);
   }
 
   Status addFrames(const DicomFile& file) {
-    const Result<PixelFrames> pixels = PixelFrames::open(file);
-    if (!pixels)
-      return pixels.error();
-    const Result<std::vector<FrameAttributes>> places = frameAttributesIn(file);
-    if (!places)
-      return places.error();
-    if (places->size() != pixels->frames() || pixels->bits() == 1)
-      return file.source().whole("has " + std::to_string(pixels->frames()) + " frames of " +
-                                     std::to_string(pixels->bits()) + " bits but tells where " +
-                                     std::to_string(places->size()) + " of them lie",
+    const PixelFrames pixels = TRY(PixelFrames::open(file));
+    const std::vector<FrameAttributes> places = TRY(frameAttributesIn(file));
+    if (places.size() != pixels.frames() || pixels.bits() == 1)
+      return file.source().whole("has " + std::to_string(pixels.frames()) + " frames of " +
+                                     std::to_string(pixels.bits()) + " bits but tells where " +
+                                     std::to_string(places.size()) + " of them lie",
                                  "Export the images again");
-    const glm::ivec2 size(pixels->columns(), pixels->rows());
+    const glm::ivec2 size(pixels.columns(), pixels.rows());
     if (m_slices.empty())
       m_size = size;
     if (size != m_size)
@@ -140,16 +132,15 @@ class SeriesReader {
                                      " × " + std::to_string(m_size.y),
                                  sortThem);
     const std::uint64_t voxels =
-        std::uint64_t(pixels->frameSize()) * (m_slices.size() + pixels->frames());
+        std::uint64_t(pixels.frameSize()) * (m_slices.size() + pixels.frames());
     if (voxels > std::min(mostSeriesVoxels, voxelsOfAny + seriesVoxelsPerByte * m_bytes))
       return file.source().whole("the series has more voxels than are read",
                                  "Have another program reduce its resolution");
-    const StoredNumber number = StoredNumber::in(file.data(), pixels->bits());
+    const StoredNumber number = StoredNumber::in(file.data(), pixels.bits());
     std::vector<std::uint16_t> values;
-    for (std::size_t f = 0; f < places->size(); ++f) {
-      if (const Status status = pixels->frame(f, values); !status)
-        return status.error();
-      Slice slice{(*places)[f], std::vector<std::int16_t>(values.size())};
+    for (std::size_t f = 0; f < places.size(); ++f) {
+      TRY(pixels.frame(f, values));
+      Slice slice{places[f], std::vector<std::int16_t>(values.size())};
       std::transform(values.begin(), values.end(), slice.stored.begin(),
                      [&](std::uint16_t value) { return number.value(value); });
       slice.place.intercept += slice.place.slope * number.offset();

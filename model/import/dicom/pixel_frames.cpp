@@ -65,14 +65,10 @@ std::vector<std::string_view> fragmentsOf(DcmPixelData& pixels) {
 
 Result<PixelFrames> PixelFrames::open(const DicomFile& file) {
   PixelFrames pixels(file);
-  if (const Status status = pixels.readSizes(); !status)
-    return status.error();
+  TRY(pixels.readSizes());
   if (!file.data().has(pixelData))
     return file.source().whole("it has no pixel data", "Export it again");
-  const Status opened =
-      file.pixelCoding() == PixelCoding::native ? pixels.openNative() : pixels.openPacked();
-  if (!opened)
-    return opened.error();
+  TRY(file.pixelCoding() == PixelCoding::native ? pixels.openNative() : pixels.openPacked());
   return pixels;
 }
 

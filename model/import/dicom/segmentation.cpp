@@ -15,17 +15,15 @@ Result<LabelVolumes> segmentationVolumes(const DicomFile& file, const ReadOption
 }
 
 Result<RawMeshes> segmentationSurfaces(const DicomFile& file, const ReadOptions& options) {
-  Result<LabelVolumes> volumes = segmentationVolumes(file, options);
-  if (!volumes)
-    return volumes.error();
+  LabelVolumes volumes = TRY(segmentationVolumes(file, options));
   // A mask of noise has more surface than any organ: the limits of a file grow with its bytes.
   ReadOptions bounded = options;
   const std::uint64_t most = 2'000'000 + 2 * std::uint64_t(file.source().size());
   bounded.limits.vertices = std::min(options.limits.vertices, most);
   bounded.limits.triangles = std::min(options.limits.triangles, 2 * most);
   RawMeshes result;
-  result.warnings = std::move(volumes->warnings);
-  for (LabelVolume& volume : volumes->volumes) {
+  result.warnings = std::move(volumes.warnings);
+  for (LabelVolume& volume : volumes.volumes) {
     Result<RawMeshes> surfaces = labelSurfaces(volume, bounded);
     if (!surfaces) {
       Error error = surfaces.error();

@@ -89,8 +89,7 @@ std::optional<Error> SegmentationReader::paintMap() {
   const glm::ivec3 size = volume->size;
   std::vector<std::uint16_t> pixels;
   for (std::size_t f = 0; f < m_frames.size(); ++f) {
-    if (const Status status = values(f, pixels); !status)
-      return status.error();
+    TRY(values(f, pixels));
     const int z = sliceOf(m_frames[f]) - m_region.low.z;
     if (z < 0 || z >= size.z)
       continue;  // an empty frame outside the region
@@ -110,8 +109,7 @@ std::optional<Error> SegmentationReader::collect(const std::vector<std::size_t>&
   const glm::ivec3 size = m_region.high - m_region.low;
   std::vector<std::uint16_t> inside;
   for (const std::size_t f : frames) {
-    if (const Status status = values(f, inside); !status)
-      return status.error();
+    TRY(values(f, inside));
     const int z = sliceOf(m_frames[f]) - m_region.low.z;
     if (z < 0 || z >= size.z)
       continue;  // an empty frame outside the region

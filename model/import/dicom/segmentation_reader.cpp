@@ -22,16 +22,10 @@ constexpr Tag pixelPadding{0x0028, 0x0120};
 
 Result<LabelVolumes> SegmentationReader::read() {
   m_segments = segmentsIn(m_file);
-  Result<PixelFrames> pixels = PixelFrames::open(m_file);
-  if (!pixels)
-    return pixels.error();
-  m_pixels = std::move(*pixels);
+  m_pixels = TRY(PixelFrames::open(m_file));
   if (std::optional<Error> error = readType())
     return *error;
-  Result<std::vector<FrameAttributes>> frames = frameAttributesIn(m_file);
-  if (!frames)
-    return frames.error();
-  m_frames = std::move(*frames);
+  m_frames = TRY(frameAttributesIn(m_file));
   if (m_frames.size() != m_pixels->frames() || m_frames.empty())
     return m_file.source().whole("has " + std::to_string(m_pixels->frames()) +
                                      " frames but tells where " + std::to_string(m_frames.size()) +
@@ -67,8 +61,7 @@ std::optional<Error> SegmentationReader::readType() {
 Status SegmentationReader::values(std::size_t frame, std::vector<std::uint16_t>& values) const {
   if (!m_options.goesOn())
     return given();
-  if (Status status = m_pixels->frame(frame, values); !status)
-    return status;
+  TRY(m_pixels->frame(frame, values));
   if (!m_labelMap) {
     for (std::uint16_t& value : values)
       value = value >= m_inside ? 1 : 0;

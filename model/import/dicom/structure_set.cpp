@@ -112,8 +112,7 @@ class StructureSetReader {
     }
     const double share = std::min(1.0, mostSamplesOfAll / std::max(samples, 1.0));
     for (RegionOfInterest& region : m_regions) {
-      if (const Status status = addSurface(region, share); !status)
-        return status.error();
+      TRY(addSurface(region, share));
       region.stacks = {};
     }
     if (m_result.meshes.empty())

@@ -94,16 +94,14 @@ Result<RawMeshes> readWith(const AssimpKind& kind, const Source& source,
 
 Result<RawMeshes> readThroughAssimp(const AssimpKind& kind, const std::filesystem::path& file,
                                     const ReadOptions& options) {
-  const Result<Source> source = Source::read(file, options.limits);
-  if (!source)
-    return source.error();
+  const Source source = TRY(Source::read(file, options.limits));
   try {
-    return readWith(kind, *source, options);
+    return readWith(kind, source, options);
   } catch (const std::bad_alloc&) {
-    return source->whole("there is not enough memory for it", "Reduce it or close other programs");
+    return source.whole("there is not enough memory for it", "Reduce it or close other programs");
   } catch (const std::exception& e) {
-    return source->whole(std::string("cannot be read as ") + kind.name + ": " + oneLine(e.what()),
-                         kind.remedy);
+    return source.whole(std::string("cannot be read as ") + kind.name + ": " + oneLine(e.what()),
+                        kind.remedy);
   }
 }
 

@@ -61,10 +61,8 @@ class AssimpSceneReader {
     while (!waiting.empty()) {
       const NodeVisit visit = std::move(waiting.back());
       waiting.pop_back();
-      if (const Status done = visitNode(visit); !done)
-        return done.error();
-      if (const Status pushed = pushChildren(visit, waiting); !pushed)
-        return pushed.error();
+      TRY(visitNode(visit));
+      TRY(pushChildren(visit, waiting));
     }
     if (m_result.meshes.empty())
       return m_source.whole(m_result.warnings.empty()
@@ -86,8 +84,7 @@ class AssimpSceneReader {
     std::uint64_t bytes = 64;
     for (const std::string& group : groups)
       bytes += sizeof(std::string) + group.size();
-    if (const Status granted = spend(bytes * visit.node->mNumChildren, name); !granted)
-      return granted.error();
+    TRY(spend(bytes * visit.node->mNumChildren, name));
     const std::span children(visit.node->mChildren, visit.node->mNumChildren);
     for (std::size_t i = children.size(); i > 0; --i)
       if (children[i - 1])
@@ -107,10 +104,8 @@ class AssimpSceneReader {
         return m_source.at(inQuotes(name), "its transform is not finite");
       const std::uint64_t bytes = 24 * std::uint64_t(mesh.mNumVertices) +
                                   32 * std::uint64_t(mesh.mNumFaces) + name.size() + 256;
-      if (const Status granted = spend(bytes, name); !granted)
-        return granted.error();
-      if (const Status added = add(mesh, visit, name); !added)
-        return added.error();
+      TRY(spend(bytes, name));
+      TRY(add(mesh, visit, name));
     }
     return Unit{};
   }
@@ -133,8 +128,7 @@ class AssimpSceneReader {
     mesh.unitReason = m_convention.unitReason;
     mesh.yUp = m_convention.yUp;
     paint(mesh, from);
-    if (const Status cut = cutFacesOf(from, visit.above, mesh); !cut)
-      return cut.error();
+    TRY(cutFacesOf(from, visit.above, mesh));
     // A mirroring transform turns surfaces inside out, so the triangles are turned as well.
     if (glm::determinant(glm::dmat3(visit.above)) < 0.0)
       for (Triangle& t : mesh.triangles)

@@ -42,10 +42,8 @@ Result<GltfUnpackedMesh> unpackDraco(const GltfPackedMesh& packed) {
   const draco::Mesh& mesh = *decoded.value();
   if (mesh.num_points() > packed.limits.vertices || mesh.num_faces() > packed.limits.triangles)
     return because("its Draco mesh is larger than the limit");
-  Result<std::vector<glm::vec3>> positions = positionsOf(mesh, packed.positions);
-  if (!positions)
-    return positions.error();
-  GltfUnpackedMesh unpacked{std::move(*positions), {}};
+  std::vector<glm::vec3> positions = TRY(positionsOf(mesh, packed.positions));
+  GltfUnpackedMesh unpacked{std::move(positions), {}};
   unpacked.corners.reserve(3 * std::size_t(mesh.num_faces()));
   for (std::uint32_t i = 0; i < mesh.num_faces(); ++i)
     for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(i))) {

@@ -87,15 +87,13 @@ Result<RawMeshes> surfaceOf(const Source& source) {
 }  // namespace
 
 Result<RawMeshes> readVtu(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::read(file, options.limits);
-  if (!source)
-    return source.error();
+  const Source source = TRY(Source::read(file, options.limits));
   try {
-    return surfaceOf(*source);
+    return surfaceOf(source);
   } catch (const std::bad_alloc&) {
-    return source->whole("there is not enough memory for it", "Reduce it or close other programs");
+    return source.whole("there is not enough memory for it", "Reduce it or close other programs");
   } catch (const std::exception& e) {
-    return source->whole(std::string("cannot be read as VTU: ") + inQuotes(e.what()), exportAgain);
+    return source.whole(std::string("cannot be read as VTU: ") + inQuotes(e.what()), exportAgain);
   }
 }
 

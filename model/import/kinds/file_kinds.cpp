@@ -236,8 +236,7 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
       std::filesystem::is_regular_file(file, code) ? kindInContent(file) : std::string_view();
   if (!kind) {
     if (!std::filesystem::is_regular_file(file, code))
-      if (const Result<Source> source = Source::read(file, options.limits); !source)
-        return source.error();
+      TRY(Source::read(file, options.limits));
     std::string reason = file.extension().empty() ? "has no extension that tells its kind"
                                                   : "files of kind '" + file.extension().string() +
                                                         "' are not supported";

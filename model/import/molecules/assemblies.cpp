@@ -136,14 +136,12 @@ class Assembler {
   }
 
   Status assemble() {
-    if (const Status status = judgeSize(); !status)
-      return status.error();
+    TRY(judgeSize());
     for (const AssemblyStep& step : m_assembly.steps) {
       if (atomsIn(step) == 0)
         continue;
       for (const std::vector<std::string>& names : OperatorExpression(step.operators).copies())
-        if (const Status status = addCopy(step, names); !status)
-          return status.error();
+        TRY(addCopy(step, names));
     }
     if (m_atoms.empty())
       return refusal("names no part that the file has atoms of");

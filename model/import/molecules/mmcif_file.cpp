@@ -120,8 +120,7 @@ class MmcifRecords : public EntryRowReader {
     if (m_records.atoms.empty() && m_records.unreadable == 0)
       return source.whole("is an entry without the atoms of a molecule (_atom_site)",
                           "Give an entry of the Protein Data Bank with coordinates");
-    if (const Status status = judgeAtoms(source, m_records); !status)
-      return status.error();
+    TRY(judgeAtoms(source, m_records));
     if (!read)
       m_records.cutShort = read.error().where + ": " + read.error().reason;
     finishNotes();

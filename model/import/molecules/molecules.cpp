@@ -70,29 +70,24 @@ std::vector<ImportWarning> leaveOut(EntryRecords& entry, const Source& source) {
 
 Result<RawMeshes> read(const std::filesystem::path& file, const ReadOptions& options,
                        Result<EntryRecords> (*records)(const Source&)) {
-  const Result<Source> source = Source::read(file, options.limits);
-  if (!source)
-    return source.error();
-  Result<EntryRecords> entry = records(*source);
-  if (!entry)
-    return entry.error();
+  const Source source = TRY(Source::read(file, options.limits));
+  EntryRecords entry = TRY(records(source));
   if (!options.assembly.empty()) {
-    if (const Status status = assemble(*source, *entry, options.assembly); !status)
-      return status.error();
-  } else if (differFromTheirAtoms(entry->assemblies)) {
-    entry->notes.told = assembliesText(entry->assemblies) + "; drawn are its atoms as they are";
+    TRY(assemble(source, entry, options.assembly));
+  } else if (differFromTheirAtoms(entry.assemblies)) {
+    entry.notes.told = assembliesText(entry.assemblies) + "; drawn are its atoms as they are";
   }
-  const std::vector<ImportWarning> warnings = leaveOut(*entry, *source);
-  if (entry->atoms.empty())
-    return source->whole("its atoms lie too far from the origin to be drawn",
-                         "Move the molecule to the origin");
+  const std::vector<ImportWarning> warnings = leaveOut(entry, source);
+  if (entry.atoms.empty())
+    return source.whole("its atoms lie too far from the origin to be drawn",
+                        "Move the molecule to the origin");
   RawMeshes meshes =
-      surfacesOf(moleculeOf(std::move(*entry)), source->file(), entryName(file), options);
+      surfacesOf(moleculeOf(std::move(entry)), source.file(), entryName(file), options);
   meshes.warnings.insert(meshes.warnings.begin(), warnings.begin(), warnings.end());
   if (meshes.meshes.empty())
-    return source->whole("holds nothing that can be drawn" +
-                             (meshes.warnings.empty() ? "" : ": " + meshes.warnings.back().reason),
-                         "Give an entry with a chain or a ligand");
+    return source.whole("holds nothing that can be drawn" +
+                            (meshes.warnings.empty() ? "" : ": " + meshes.warnings.back().reason),
+                        "Give an entry with a chain or a ligand");
   return meshes;
 }
 

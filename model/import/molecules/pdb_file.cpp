@@ -93,8 +93,7 @@ class PdbReader {
     m_records.notes.title = readableCapitals(m_title);
     for (auto& [code, name] : m_records.notes.componentNames)
       name = readableCapitals(name);
-    if (const Status status = judgeAtoms(m_source, m_records); !status)
-      return status.error();
+    TRY(judgeAtoms(m_source, m_records));
     return std::move(m_records);
   }
 

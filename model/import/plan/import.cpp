@@ -32,16 +32,14 @@ float shareOfReading(const ImportOptions& options) {
 Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress) {
   const float readBy = shareOfReading(options);
-  Result<ReadInputs> read =
-      readInputs(inputs, options, ScansWanted::asAsked, portion(progress, 0.0f, readBy));
-  if (!read.ok())
-    return read.error();
+  ReadInputs read =
+      TRY(readInputs(inputs, options, ScansWanted::asAsked, portion(progress, 0.0f, readBy)));
   // No other code needs the parts as they were read.
-  DecidedParts decided = decideParts(std::move(read->parts), *read, options);
-  const ImportPlan plan = layOutTree(decided, *read, options);
+  DecidedParts decided = decideParts(std::move(read.parts), read, options);
+  const ImportPlan plan = layOutTree(decided, read, options);
   const ImportProgress rest = portion(progress, readBy, 1.0f);
   ProgressMeter meter(rest, expectedWork(decided.parts, options));
-  Result<Imported> imported = makeScene(plan, std::move(decided), *read, meter);
+  Result<Imported> imported = makeScene(plan, std::move(decided), read, meter);
   // The intermediate copies of hundreds of files are free now; the system may have them back.
   giveMemoryBack();
   return imported;

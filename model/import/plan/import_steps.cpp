@@ -278,8 +278,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   if (meter.cancelled())
     return cancelled();
   if (wanted)
-    if (const Status left = checkAnythingLeft(decided, read); !left.ok())
-      return left.error();
+    TRY(checkAnythingLeft(decided, read));
   Imported imported{.report = std::move(report)};
   imported.report.notes.insert(imported.report.notes.end(), cutNames.begin(), cutNames.end());
   putScenesBefore(imported, read, options);
@@ -290,8 +289,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   warnOfBodies(whole, imported.report);
   markNamesInDoubt(imported.scene, whole);
   imported.scene.setScans(std::move(scans));
-  if (const Status kept = bringWithinLimits(imported); !kept.ok())
-    return kept.error();
+  TRY(bringWithinLimits(imported));
   return imported;
 }
 

@@ -46,8 +46,7 @@ Result<ImportPlan> makePlan(std::shared_ptr<const ReadInputs> read, const Import
                             const PartChoices& chosen) {
   DecidedParts decided = decideParts(partsOf(*read, chosen), *read, options);
   placeParts(decided.parts, read->sources, decided.report.warnings);
-  if (const Status left = checkAnythingLeft(decided, *read); !left.ok())
-    return left.error();
+  TRY(checkAnythingLeft(decided, *read));
   if (options.thresholds.empty())
     for (const ReadScan& scan : read->scans)
       decided.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
@@ -107,11 +106,9 @@ StructureChoice ImportPlan::choiceOf(NodeId id) const {
 
 Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress) {
-  Result<ReadInputs> read = readInputs(inputs, options, ScansWanted::all, progress);
-  if (!read.ok())
-    return read.error();
-  const PartChoices none(read->parts.size());
-  return makePlan(std::make_shared<const ReadInputs>(std::move(*read)), options, none);
+  ReadInputs read = TRY(readInputs(inputs, options, ScansWanted::all, progress));
+  const PartChoices none(read.parts.size());
+  return makePlan(std::make_shared<const ReadInputs>(std::move(read)), options, none);
 }
 
 bool mayHoldScans(std::span<const std::filesystem::path> inputs, const ReadLimits& limits) {
@@ -126,15 +123,11 @@ bool mayHoldScans(std::span<const std::filesystem::path> inputs, const ReadLimit
 Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress) {
   std::shared_ptr<const ReadInputs> read = plan.read;
   if (!read || !read->holdsFor(plan.inputs, plan.options)) {
-    Result<ReadInputs> again = readInputs(plan.inputs, plan.options, ScansWanted::all, progress);
-    if (!again.ok())
-      return again.error();
-    read = std::make_shared<const ReadInputs>(std::move(*again));
+    ReadInputs again = TRY(readInputs(plan.inputs, plan.options, ScansWanted::all, progress));
+    read = std::make_shared<const ReadInputs>(std::move(again));
   } else if (read->options.thresholds != plan.options.thresholds) {
-    Result<ReadInputs> again = withThresholds(*read, plan.options.thresholds, progress);
-    if (!again.ok())
-      return again.error();
-    read = std::make_shared<const ReadInputs>(std::move(*again));
+    ReadInputs again = TRY(withThresholds(*read, plan.options.thresholds, progress));
+    read = std::make_shared<const ReadInputs>(std::move(again));
   }
   const ReadInputs& before = plan.read ? *plan.read : *read;
   const Renumbering renumbering(before, *read);
@@ -145,19 +138,17 @@ Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progr
       if (const auto now = renumbering.of(number))
         chosen[*now] = old[number];
   }
-  Result<ImportPlan> next = makePlan(read, plan.options, chosen);
-  if (!next.ok())
-    return next;
+  ImportPlan next = TRY(makePlan(read, plan.options, chosen));
   std::map<std::size_t, NodeId> ids;
-  for (const auto& [id, number] : next->parts)
+  for (const auto& [id, number] : next.parts)
     ids[number] = id;
   for (const auto& [id, choice] : plan.choices) {
     const auto part = plan.parts.find(id);
     if (part == plan.parts.end()) {
-      if (const Node* node = next->scene.find(id); node && !next->parts.contains(id))
-        next->choices[id] = choice;
+      if (const Node* node = next.scene.find(id); node && !next.parts.contains(id))
+        next.choices[id] = choice;
     } else if (const auto now = renumbering.of(part->second); now && ids.contains(*now)) {
-      next->choices[ids.at(*now)] = choice;
+      next.choices[ids.at(*now)] = choice;
     }
   }
   return next;
@@ -231,8 +222,7 @@ Status checkChoices(const ImportPlan& plan) {
       return fault("something is chosen of structure " + std::to_string(id.value) +
                        ", which the plan does not have",
                    "Plan the import again");
-    if (Status checked = checkChoice(node->name, choice); !checked.ok())
-      return checked;
+    TRY(checkChoice(node->name, choice));
   }
   const auto& nodes = plan.scene.nodes();
   const auto isStructure = [](const Node& node) { return !node.isGroup(); };
@@ -251,13 +241,10 @@ Status checkChoices(const ImportPlan& plan) {
 Result<Imported> carryOut(const ImportPlan& plan, const ImportProgress& progress) {
   if (!plan.read || !plan.read->holdsFor(plan.inputs, plan.options) ||
       plan.read->options.thresholds != plan.options.thresholds) {
-    const Result<ImportPlan> again = planAgain(plan, progress);
-    if (!again.ok())
-      return again.error();
-    return carryOut(*again, progress);
+    const ImportPlan again = TRY(planAgain(plan, progress));
+    return carryOut(again, progress);
   }
-  if (const Status checked = checkChoices(plan); !checked.ok())
-    return checked.error();
+  TRY(checkChoices(plan));
   const ReadInputs& read = *plan.read;
   std::vector<Part> parts = partsOf(read, partChoices(plan));
   ProgressMeter meter(progress, expectedWork(parts, plan.options));

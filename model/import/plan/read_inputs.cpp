@@ -28,10 +28,7 @@ Status collect(ReadInputs& read, const std::vector<fs::path>& meshes,
   const bool slices = asked || wanted == ScansWanted::all;
   read.sources =
       collectSources(meshes, options.limits, slices ? ScannerSlices::read : ScannerSlices::leftOut);
-  Result<std::vector<SourceTrace>> traces = admitPatients(read.sources, scenes, options);
-  if (!traces.ok())
-    return traces.error();
-  read.traces = std::move(*traces);
+  read.traces = TRY(admitPatients(read.sources, scenes, options));
   return Unit{};
 }
 
@@ -90,17 +87,14 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
   std::vector<TracedScene> traced;
   if (!scenes.empty()) {
     // The effect of other options on scenes is reported when decisions are made.
-    Result<OpenedScenes> opened =
-        openScenes(scenes, {.patients = options.patients, .into = options.into});
-    if (!opened.ok())
-      return opened.error();
-    read.scenes = std::move(opened->all);
-    traced = std::move(opened->traced);
+    OpenedScenes opened =
+        TRY(openScenes(scenes, {.patients = options.patients, .into = options.into}));
+    read.scenes = std::move(opened.all);
+    traced = std::move(opened.traced);
     if (meshes.empty())
       return read;
   }
-  if (const Status admitted = collect(read, meshes, traced, scans); !admitted.ok())
-    return admitted.error();
+  TRY(collect(read, meshes, traced, scans));
   if (const Status done = readMeshes(read, scans, progress); !done.ok()) {
     if (scenes.empty())
       return done.error();

@@ -192,11 +192,9 @@ Result<OpenedScenes> openScenes(std::span<const std::filesystem::path> files,
   if (options.into)
     sorter.add({openSceneName, options.into->traces()});
   for (const std::filesystem::path& file : files) {
-    Result<SceneDocument> document = readSceneFile(file);
-    if (!document.ok())
-      return document.error();
+    SceneDocument document = TRY(readSceneFile(file));
     PatientSorter with = sorter;
-    with.add({file, document->scene.traces()});
+    with.add({file, document.scene.traces()});
     const Patients patients = with.patients();
     if (patients.several() && options.patients == PatientsWanted::one)
       return patients.error();
@@ -205,9 +203,9 @@ Result<OpenedScenes> openScenes(std::span<const std::filesystem::path> files,
       continue;
     }
     sorter = std::move(with);
-    opened.traced.push_back({file, document->scene.traces()});
-    Imported one{.scene = std::move(document->scene), .others = std::move(document->others)};
-    if (const std::string warning = document->warning(); !warning.empty())
+    opened.traced.push_back({file, document.scene.traces()});
+    Imported one{.scene = std::move(document.scene), .others = std::move(document.others)};
+    if (const std::string warning = document.warning(); !warning.empty())
       one.report.warnings.push_back({file.string(), warning});
     if (&file == &files.front())
       all = std::move(one);  // alone it keeps its ids

@@ -221,10 +221,8 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
       for (Triangle& t : raw.triangles)
         std::swap(t[1], t[2]);
   }
-  Result<Mesh> mesh = Mesh::create(std::move(raw.positions), std::move(raw.triangles));
-  if (!mesh)
-    return mesh.error();
-  return MeshPtr(std::make_shared<const Mesh>(std::move(*mesh)));
+  Mesh mesh = TRY(Mesh::create(std::move(raw.positions), std::move(raw.triangles)));
+  return MeshPtr(std::make_shared<const Mesh>(std::move(mesh)));
 }
 
 void placeParts(std::vector<Part>& parts, const Sources& sources,

@@ -84,10 +84,8 @@ class FreeSurferParser {
     BinaryValues values(text.data() + comment + 2, m_source.end(), std::endian::big);
     RawMesh mesh;
     FaceList faces;
-    if (const Status status = readVertices(values, mesh); !status)
-      return status.error();
-    if (const Status status = readTriangles(values, faces); !status)
-      return status.error();
+    TRY(readVertices(values, mesh));
+    TRY(readTriangles(values, faces));
     std::vector<ImportWarning> warnings;
     place(std::string_view(values.at(), std::size_t(m_source.end() - values.at())), mesh, warnings);
     mesh.name = corticalName(m_source.file());
@@ -167,10 +165,8 @@ class FreeSurferParser {
 
 Result<RawMeshes> readFreeSurferSurface(const std::filesystem::path& file,
                                         const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return FreeSurferParser(*source).parse();
+  const Source source = TRY(Source::read(file, limits));
+  return FreeSurferParser(source).parse();
 }
 
 bool isFreeSurferAnatomy(const std::filesystem::path& file) {

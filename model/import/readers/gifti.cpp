@@ -36,18 +36,15 @@ class GiftiParser {
   explicit GiftiParser(const Source& source) : m_source(source) {}
 
   Result<RawMeshes> parse() {
-    if (const Status status = scan(); !status)
-      return status.error();
+    TRY(scan());
     const GiftiArray* points = firstOf("NIFTI_INTENT_POINTSET");
     const GiftiArray* triangles = firstOf("NIFTI_INTENT_TRIANGLE");
     if (!points || !triangles)
       return noSurface(points, triangles);
     RawMesh mesh;
-    if (const Status status = readPoints(*points, mesh); !status)
-      return status.error();
+    TRY(readPoints(*points, mesh));
     FaceList faces;
-    if (const Status status = readTriangles(*triangles, faces); !status)
-      return status.error();
+    TRY(readTriangles(*triangles, faces));
     place(*points, mesh);
     mesh.name = corticalName(m_source.file(), m_anatomy);
     return assemble(m_source, std::move(mesh), faces, BadFaces::areErrors, std::move(m_warnings));
@@ -124,8 +121,7 @@ class GiftiParser {
 
   Status readPoints(const GiftiArray& array, RawMesh& mesh) const {
     GiftiNumbers numbers(m_source, array);
-    if (Status status = numbers.open(); !status)
-      return status;
+    TRY(numbers.open());
     mesh.positions.resize(numbers.rows());
     return numbers.each([&](std::size_t row, int column, auto& values) {
       return values.number(numbers.type(), mesh.positions[row][column]);
@@ -134,8 +130,7 @@ class GiftiParser {
 
   Status readTriangles(const GiftiArray& array, FaceList& faces) const {
     GiftiNumbers numbers(m_source, array);
-    if (Status status = numbers.open(); !status)
-      return status;
+    TRY(numbers.open());
     std::vector<Triangle> corners(numbers.rows());
     Status read = numbers.each([&](std::size_t row, int column, auto& values) {
       std::int64_t vertex = 0;
@@ -192,10 +187,8 @@ class GiftiParser {
 }  // namespace
 
 Result<RawMeshes> readGifti(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return GiftiParser(*source).parse();
+  const Source source = TRY(Source::read(file, limits));
+  return GiftiParser(source).parse();
 }
 
 bool isGiftiAnatomy(const std::filesystem::path& file) {

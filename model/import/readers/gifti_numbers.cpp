@@ -31,8 +31,7 @@ std::optional<ScalarType> giftiType(std::string_view name) {
 }  // namespace
 
 Status GiftiNumbers::open() {
-  if (const Status status = readShape(); !status)
-    return status.error();
+  TRY(readShape());
   const std::string_view encoding = m_array.tag.attribute("Encoding");
   if (encoding == "ASCII") {
     m_text = true;

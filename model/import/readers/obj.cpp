@@ -30,8 +30,7 @@ class ObjParser {
     m_groups.push_back({});
     while (!m_at.atEnd()) {
       m_at.skipBlanks();
-      if (const Status status = readStatement(); !status)
-        return status.error();
+      TRY(readStatement());
     }
     return surfaces();
   }
@@ -175,12 +174,9 @@ class ObjParser {
       if (mesh.triangles.empty())
         continue;
       keepUsed(m_positions, scratch, mesh);
-      if (const Status status = finish(m_source, std::move(mesh), result); !status)
-        return status.error();
+      TRY(finish(m_source, std::move(mesh), result));
     }
-    const Status status = judge(m_source, m_faces, tally, BadFaces::fewAreDropped, result.warnings);
-    if (!status)
-      return status.error();
+    TRY(judge(m_source, m_faces, tally, BadFaces::fewAreDropped, result.warnings));
     if (result.meshes.empty())
       return m_source.whole(reasonWithoutFaces(), "Export the mesh as a surface with faces");
     return result;
@@ -232,10 +228,8 @@ class ObjParser {
 }  // namespace
 
 Result<RawMeshes> readObj(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return ObjParser(*source).parse();
+  const Source source = TRY(Source::read(file, limits));
+  return ObjParser(source).parse();
 }
 
 }  // namespace sline::model

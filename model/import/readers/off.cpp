@@ -13,12 +13,9 @@ class OffParser {
   explicit OffParser(const Source& source) : m_source(source), m_at(source.text()) {}
 
   Result<RawMeshes> parse() {
-    if (const Status status = readHeader(); !status)
-      return status.error();
-    if (const Status status = readVertices(); !status)
-      return status.error();
-    if (const Status status = readFaces(); !status)
-      return status.error();
+    TRY(readHeader());
+    TRY(readVertices());
+    TRY(readFaces());
     return assemble(m_source, std::move(m_mesh), m_faces, BadFaces::fewAreDropped);
   }
 
@@ -139,10 +136,8 @@ class OffParser {
 }  // namespace
 
 Result<RawMeshes> readOff(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return OffParser(*source).parse();
+  const Source source = TRY(Source::read(file, limits));
+  return OffParser(source).parse();
 }
 
 }  // namespace sline::model

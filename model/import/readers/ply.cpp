@@ -44,8 +44,7 @@ class PlyBody {
 
   Result<RawMeshes> read() {
     for (const PlyElement& element : m_header.elements)
-      if (const Status status = readElement(element); !status)
-        return status.error();
+      TRY(readElement(element));
     if (!m_hasVertices)
       return m_source.whole("has no element 'vertex'");
     if (!m_hasFaces)
@@ -215,16 +214,11 @@ class PlyBody {
 }  // namespace
 
 Result<RawMeshes> readPly(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  const Result<PlyHeader> header = readPlyHeader(*source);
-  if (!header)
-    return header.error();
-  if (header->binary)
-    return PlyBody(*source, *header, BinaryValues(header->body, source->end(), *header->binary))
-        .read();
-  return PlyBody(*source, *header, TextValues(header->body, source->end())).read();
+  const Source source = TRY(Source::read(file, limits));
+  const PlyHeader header = TRY(readPlyHeader(source));
+  if (header.binary)
+    return PlyBody(source, header, BinaryValues(header.body, source.end(), *header.binary)).read();
+  return PlyBody(source, header, TextValues(header.body, source.end())).read();
 }
 
 }  // namespace sline::model

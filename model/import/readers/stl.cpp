@@ -67,8 +67,7 @@ Result<RawMeshes> readBinary(const Source& source) {
     result.warnings.push_back(source.warning(std::to_string(source.end() - at) +
                                              " bytes after the last triangle of the " +
                                              std::to_string(promised) + " promised are ignored"));
-  if (const Status status = finish(source, std::move(mesh), result); !status)
-    return status.error();
+  TRY(finish(source, std::move(mesh), result));
   return onlySurfaces(source, std::move(result));
 }
 
@@ -83,9 +82,7 @@ class TextParser {
     for (std::string_view word = next(); !word.empty(); word = next()) {
       if (!equalsIgnoringCase(word, "solid"))
         return wrong(word, "'solid'");
-      const Status status = readSolid(result);
-      if (!status)
-        return status.error();
+      TRY(readSolid(result));
     }
     return onlySurfaces(m_source, std::move(result));
   }
@@ -128,8 +125,7 @@ class TextParser {
         break;
       if (!equalsIgnoringCase(word, "facet"))
         return wrong(word, "'facet' or 'endsolid'");
-      if (Status status = readFacet(welder, mesh.triangles); !status)
-        return status;
+      TRY(readFacet(welder, mesh.triangles));
     }
     if (!m_at.atLineEnd())
       m_at.skipLine();
@@ -141,8 +137,7 @@ class TextParser {
     std::string_view word = next();
     glm::vec3 p(0.0f);
     if (equalsIgnoringCase(word, "normal")) {
-      if (Status status = readThree(p); !status)
-        return status;
+      TRY(readThree(p));
       word = next();
     }
     if (!equalsIgnoringCase(word, "outer"))
@@ -152,8 +147,7 @@ class TextParser {
     std::array<std::uint32_t, 3> fan{};
     std::size_t corners = 0;
     for (word = next(); equalsIgnoringCase(word, "vertex"); word = next(), ++corners) {
-      if (Status status = readThree(p); !status)
-        return status;
+      TRY(readThree(p));
       const std::uint32_t vertex = welder.vertex(p);
       if (corners > 2)
         fan[1] = fan[2];
@@ -205,10 +199,8 @@ bool isText(const Source& source) {
 }  // namespace
 
 Result<RawMeshes> readStl(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return isText(*source) ? TextParser(*source).parse() : readBinary(*source);
+  const Source source = TRY(Source::read(file, limits));
+  return isText(source) ? TextParser(source).parse() : readBinary(source);
 }
 
 }  // namespace sline::model

@@ -72,8 +72,7 @@ class ThreeDsReader {
       return m_source.atByte(m_source.end(), "its beginning promises " + std::to_string(length) +
                                                  " bytes, it has " +
                                                  std::to_string(m_source.size()));
-    if (const Status done = readFile({mainFile, begin + chunkHeader, begin + length}); !done)
-      return done.error();
+    TRY(readFile({mainFile, begin + chunkHeader, begin + length}));
     if (m_result.meshes.empty())
       return m_source.whole("holds no meshes", "Export the mesh again, as triangles");
     return std::move(m_result);
@@ -96,43 +95,33 @@ class ThreeDsReader {
   }
 
   Status readFile(const ChunkSpan& file) {
-    const Result<std::vector<ChunkSpan>> parts = chunksIn(file);
-    if (!parts)
-      return parts.error();
-    for (const ChunkSpan& part : *parts) {
+    const std::vector<ChunkSpan> parts = TRY(chunksIn(file));
+    for (const ChunkSpan& part : parts) {
       if (part.id != editor)
         continue;
-      const Result<std::vector<ChunkSpan>> entries = chunksIn(part);
-      if (!entries)
-        return entries.error();
+      const std::vector<ChunkSpan> entries = TRY(chunksIn(part));
       // Objects refer to materials, which may stand behind the objects.
-      for (const ChunkSpan& entry : *entries)
+      for (const ChunkSpan& entry : entries)
         if (entry.id == material)
-          if (const Status done = readMaterial(entry); !done)
-            return done.error();
-      for (const ChunkSpan& entry : *entries)
+          TRY(readMaterial(entry));
+      for (const ChunkSpan& entry : entries)
         if (entry.id == object)
-          if (const Status done = readObject(entry); !done)
-            return done.error();
+          TRY(readObject(entry));
     }
     return Unit{};
   }
 
   Status readMaterial(const ChunkSpan& chunk) {
-    const Result<std::vector<ChunkSpan>> parts = chunksIn(chunk);
-    if (!parts)
-      return parts.error();
+    const std::vector<ChunkSpan> parts = TRY(chunksIn(chunk));
     std::string name;
     Material3ds read;
-    for (ChunkSpan part : *parts) {
+    for (ChunkSpan part : parts) {
       if (part.id == materialName)
         name = textIn(part);
       if (part.id != materialDiffuse && part.id != materialTransparency)
         continue;
-      const Result<std::vector<ChunkSpan>> values = chunksIn(part);
-      if (!values)
-        return values.error();
-      for (const ChunkSpan& value : *values)
+      const std::vector<ChunkSpan> values = TRY(chunksIn(part));
+      for (const ChunkSpan& value : values)
         if (part.id == materialDiffuse)
           takeColour(value, read);
         else
@@ -171,23 +160,18 @@ class ThreeDsReader {
 
   Status readObject(ChunkSpan chunk) {
     const std::string_view name = textIn(chunk);
-    const Result<std::vector<ChunkSpan>> parts = chunksIn(chunk);
-    if (!parts)
-      return parts.error();
-    for (const ChunkSpan& part : *parts)
+    const std::vector<ChunkSpan> parts = TRY(chunksIn(chunk));
+    for (const ChunkSpan& part : parts)
       if (part.id == triangleMesh)
-        if (const Status done = readMesh(part, name); !done)
-          return done.error();
+        TRY(readMesh(part, name));
     return Unit{};
   }
 
   Status readMesh(const ChunkSpan& chunk, std::string_view name) {
-    const Result<std::vector<ChunkSpan>> parts = chunksIn(chunk);
-    if (!parts)
-      return parts.error();
+    const std::vector<ChunkSpan> parts = TRY(chunksIn(chunk));
     std::vector<glm::vec3> positions;
     const ChunkSpan* faces = nullptr;
-    for (const ChunkSpan& part : *parts) {
+    for (const ChunkSpan& part : parts) {
       if (part.id == faceList)
         faces = &part;
       if (part.id != vertexList)
@@ -217,17 +201,14 @@ class ThreeDsReader {
       return m_source.atByte(part.at,
                              "promises " + std::to_string(count) + " faces, more than there are");
     const char* behind = part.at + std::min(part.size(), 2 + 8 * count);
-    const Result<std::vector<ChunkSpan>> parts = chunksIn({faceList, behind, part.end});
-    if (!parts)
-      return parts.error();
+    const std::vector<ChunkSpan> parts = TRY(chunksIn({faceList, behind, part.end}));
     std::vector<std::size_t> materialOf(count, 0);
     std::vector<const Material3ds*> used{nullptr};
-    for (ChunkSpan entry : *parts)
+    for (ChunkSpan entry : parts)
       if (entry.id == faceMaterial)
         paint(entry, materialOf, used);
     for (std::size_t i = 0; i < used.size(); ++i)
-      if (const Status added = addPainted({part, materialOf, i, used[i]}, positions, name); !added)
-        return added.error();
+      TRY(addPainted({part, materialOf, i, used[i]}, positions, name));
     return Unit{};
   }
 
@@ -274,9 +255,7 @@ class ThreeDsReader {
     }
     CutTally tally;
     cutFaces({faces, 0, faces.size()}, positions, mesh.triangles, tally);
-    if (const Status judged = judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings);
-        !judged)
-      return judged.error();
+    TRY(judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings));
     keepUsed(positions, m_scratch, mesh);
     m_scratch.clear();
     return finish(m_source, std::move(mesh), m_result);

@@ -86,10 +86,8 @@ class ThreeMfReader {
         m_budget(alwaysAllowed + bytesPerByte * m_source.size()) {}
 
   Result<RawMeshes> read() {
-    if (const Status unit = readUnit(); !unit)
-      return unit.error();
-    if (Status placed = placeBuild(); !placed)
-      return placed.error();
+    TRY(readUnit());
+    TRY(placeBuild());
     if (m_result.meshes.empty())
       return m_source.whole("holds no object with triangles");
     return std::move(m_result);
@@ -116,8 +114,7 @@ class ThreeMfReader {
       if (localName(item) != "item")
         continue;
       any = true;
-      if (Status placed = place(item, {.part = &root}, 0); !placed)
-        return placed;
+      TRY(place(item, {.part = &root}, 0));
     }
     if (any)
       return Unit{};
@@ -127,8 +124,7 @@ class ThreeMfReader {
         isComponent[component.attribute("objectid").value()] = true;
     for (const auto& [id, object] : root.objects)
       if (!isComponent[id])
-        if (Status visited = visit({.part = &root, .object = id}, 0); !visited)
-          return visited;
+        TRY(visit({.part = &root, .object = id}, 0));
     return Unit{};
   }
 
@@ -137,10 +133,7 @@ class ThreeMfReader {
     ObjectVisit visiting = above;
     visiting.object = node.attribute("objectid").value();
     if (const std::string_view path = localAttribute(node, "path"); !path.empty()) {
-      const Result<ThreeMfPart*> part = m_document.part(path);
-      if (!part)
-        return part.error();
-      visiting.part = *part;
+      visiting.part = TRY(m_document.part(path));
     }
     const auto own = transformIn(node.attribute("transform").value());
     if (!own)
@@ -180,8 +173,7 @@ class ThreeMfReader {
       inside.groups.push_back(name);
     for (const XmlNode& component : localChild(object, "components").children())
       if (localName(component) == "component")
-        if (Status placed = place(component, inside, depth + 1); !placed)
-          return placed;
+        TRY(place(component, inside, depth + 1));
     return Unit{};
   }
 
@@ -201,10 +193,8 @@ class ThreeMfReader {
     const std::string where = "object " + inQuotes(visiting.object);
     auto& known = m_meshes[object.internal_object()];
     if (!known) {
-      Result<RawMesh> read = readMesh(object, mesh, *visiting.part, where);
-      if (!read)
-        return read.error();
-      known = std::make_unique<RawMesh>(std::move(*read));
+      RawMesh read = TRY(readMesh(object, mesh, *visiting.part, where));
+      known = std::make_unique<RawMesh>(std::move(read));
     }
     if (!granted(12 * std::uint64_t(known->positions.size()) +
                  12 * std::uint64_t(known->triangles.size()) + known->name.size() + 256))
@@ -292,16 +282,12 @@ class ThreeMfReader {
 }  // namespace
 
 Result<RawMeshes> readThreeMf(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
+  const Source source = TRY(Source::read(file, limits));
   try {
-    Result<ThreeMfDocument> document = ThreeMfDocument::open(*source);
-    if (!document)
-      return document.error();
-    return ThreeMfReader(*document).read();
+    ThreeMfDocument document = TRY(ThreeMfDocument::open(source));
+    return ThreeMfReader(document).read();
   } catch (const std::bad_alloc&) {
-    return source->whole("there is not enough memory for it", "Reduce it or close other programs");
+    return source.whole("there is not enough memory for it", "Reduce it or close other programs");
   }
 }
 

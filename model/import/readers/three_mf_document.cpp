@@ -87,10 +87,7 @@ Result<ThreeMfDocument> ThreeMfDocument::open(const Source& source) {
   if (!zip)
     return source.at(zip.error().where, zip.error().reason);
   ThreeMfDocument document(source, std::move(*zip));
-  const Result<ThreeMfPart*> root = document.part(modelNamed(document.m_zip));
-  if (!root)
-    return root.error();
-  document.m_root = *root;
+  document.m_root = TRY(document.part(modelNamed(document.m_zip)));
   return document;
 }
 

@@ -53,13 +53,11 @@ std::ptrdiff_t depthOf(const std::string& name) {
 
 Status unpack(const ZipReader& zip, const ZipReader::Entry& entry, const fs::path& folder) {
   const fs::path target = folder / fs::path(entry.name);
-  const Result<std::string> bytes = zip.read(entry);
-  if (!bytes)
-    return bytes.error();
+  const std::string bytes = TRY(zip.read(entry));
   std::error_code fault;
   fs::create_directories(target.parent_path(), fault);
   const Status written =
-      fault ? Status(Error{.reason = fault.message()}) : writeText(target, *bytes);
+      fault ? Status(Error{.reason = fault.message()}) : writeText(target, bytes);
   if (!written)
     return Error{.where = entry.name,
                  .reason = "it cannot be unpacked: " + written.error().reason,
@@ -72,10 +70,8 @@ Status unpack(const ZipReader& zip, const ZipReader::Entry& entry, const fs::pat
 }  // namespace
 
 Result<SlicerBundle> unpackBundle(const fs::path& file, const ReadLimits& limits) {
-  const Result<std::string> bytes = readText(file, std::size_t(limits.fileBytes));
-  if (!bytes)
-    return bytes.error();
-  const Result<ZipReader> zip = ZipReader::open(*bytes, bundleLimits);
+  const std::string bytes = TRY(readText(file, std::size_t(limits.fileBytes)));
+  const Result<ZipReader> zip = ZipReader::open(bytes, bundleLimits);
   if (!zip)
     return of(file, zip.error());
   const ZipReader::Entry* scene = nullptr;
@@ -84,17 +80,15 @@ Result<SlicerBundle> unpackBundle(const fs::path& file, const ReadLimits& limits
       scene = &entry;
   if (!scene)
     return of(file, {.reason = "it is a ZIP file, but holds no 3D Slicer scene (.mrml)"});
-  Result<TemporaryFolder> folder = TemporaryFolder::create();
-  if (!folder)
-    return folder.error();
+  TemporaryFolder folder = TRY(TemporaryFolder::create());
   for (const ZipReader::Entry& entry : zip->entries()) {
     if (&entry != scene && !isWanted(entry.name))
       continue;
-    if (const Status unpacked = unpack(*zip, entry, folder->path()); !unpacked)
+    if (const Status unpacked = unpack(*zip, entry, folder.path()); !unpacked)
       return of(file, unpacked.error());
   }
-  fs::path place = folder->path() / fs::path(scene->name);
-  return SlicerBundle{std::move(*folder), std::move(place)};
+  fs::path place = folder.path() / fs::path(scene->name);
+  return SlicerBundle{std::move(folder), std::move(place)};
 }
 
 }  // namespace sline::model

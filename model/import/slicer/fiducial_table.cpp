@@ -74,9 +74,7 @@ class TableReader {
       const std::string_view line = m_cursor.restOfLine();
       if (line.empty())
         continue;
-      const Status done = line.front() == '#' ? setting(line.substr(1)) : point(line, all);
-      if (!done)
-        return done.error();
+      TRY(line.front() == '#' ? setting(line.substr(1)) : point(line, all));
     }
     if (m_line == 1)
       return Error{.file = m_file, .reason = "the file is empty"};

@@ -27,14 +27,12 @@ std::string fiducialExtensions() {
 }
 
 Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<std::string> text = readText(file, std::size_t(limits.fileBytes));
-  if (!text)
-    return text.error();
+  const std::string text = TRY(readText(file, std::size_t(limits.fileBytes)));
   if (endsLike(file.filename().string(), table))
-    return fiducialsInTable(*text, file);
+    return fiducialsInTable(text, file);
   std::string name = file.filename().string();
   name.resize(name.size() - std::min(name.size(), markups.size()));
-  return fiducialsInMarkups(*text, file, readableName(name));
+  return fiducialsInMarkups(text, file, readableName(name));
 }
 
 Annotation annotationOf(const Fiducial& fiducial) {

@@ -235,14 +235,12 @@ namespace {
 /// Parses the file; the scene's node stays valid as long as the document.
 Result<XmlNode> sceneNode(const fs::path& file, const ReadLimits& limits,
                           pugi::xml_document& document) {
-  Result<std::string> text = wholeFile(file, limits);
-  if (!text)
-    return text.error();
+  std::string text = TRY(wholeFile(file, limits));
   // The DOCTYPE is skipped and no entity but XML's own five is known, so no file can blow up.
-  const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size());
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed)
     return Error{.file = file.string(),
-                 .where = lineOf(*text, parsed.offset),
+                 .where = lineOf(text, parsed.offset),
                  .reason = std::string("the XML is broken: ") + parsed.description(),
                  .remedy = "Save the scene again in 3D Slicer"};
   const XmlNode scene = document.child("MRML");
@@ -260,19 +258,15 @@ Result<XmlNode> sceneNode(const fs::path& file, const ReadLimits& limits,
 
 Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limits) {
   pugi::xml_document document;
-  const Result<XmlNode> scene = sceneNode(file, limits, document);
-  if (!scene)
-    return scene.error();
-  return SceneReader(file, *scene).read();
+  const XmlNode scene = TRY(sceneNode(file, limits, document));
+  return SceneReader(file, scene).read();
 }
 
 Result<std::vector<SlicerFileFrame>> fileFramesOfSlicer(const fs::path& file,
                                                         const ReadLimits& limits) {
   pugi::xml_document document;
-  const Result<XmlNode> scene = sceneNode(file, limits, document);
-  if (!scene)
-    return scene.error();
-  return SceneReader(file, *scene).readFileFrames();
+  const XmlNode scene = TRY(sceneNode(file, limits, document));
+  return SceneReader(file, scene).readFileFrames();
 }
 
 }  // namespace sline::model

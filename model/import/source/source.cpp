@@ -42,8 +42,7 @@ Result<Source> Source::read(const std::filesystem::path& file, const ReadLimits&
   if (!source || !beginsLikeGzip(source->text()) ||
       !equalsIgnoringCase(file.extension().string(), ".gz"))
     return source;
-  if (const Status status = source->unpack(); !status)
-    return status.error();
+  TRY(source->unpack());
   return source;
 }
 

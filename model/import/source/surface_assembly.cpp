@@ -147,10 +147,8 @@ Result<RawMeshes> assemble(const Source& source, RawMesh mesh, const FaceList& f
   result.warnings = std::move(warnings);
   CutTally tally;
   cutFaces({faces, 0, faces.size()}, mesh.positions, mesh.triangles, tally);
-  if (const Status status = judge(source, faces, tally, policy, result.warnings); !status)
-    return status.error();
-  if (const Status status = finish(source, std::move(mesh), result); !status)
-    return status.error();
+  TRY(judge(source, faces, tally, policy, result.warnings));
+  TRY(finish(source, std::move(mesh), result));
   if (result.meshes.empty())
     return source.whole("holds no triangles", "Export the mesh as a surface of triangles");
   return result;

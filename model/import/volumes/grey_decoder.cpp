@@ -87,17 +87,14 @@ Result<DecodedGrey> decodedGrey(const VoxelLayout& layout, const VoxelBytes& sto
   if (layout.layers > 1 && layout.interleaved)
     return greyFault("holds " + std::to_string(layout.layers) + " values in each voxel",
                      "Export a volume with one intensity per voxel");
-  const Result<std::uint64_t> all = voxelCount(layout, stored);
-  if (!all)
-    return all.error();
+  const std::uint64_t all = TRY(voxelCount(layout, stored));
   Span span{leastCode, mostCode};
   const bool fits = layout.type == ScalarType::int8 || layout.type == ScalarType::uint8 ||
                     layout.type == ScalarType::int16;
   if (stored.text || !fits) {
     span = {};
     const auto look = [&]<class T>(const VoxelRun& run) { widen<T>(span, run); };
-    if (const Status read = forEachOfFirst(layout, stored, *all, goesOn, look); !read)
-      return read.error();
+    TRY(forEachOfFirst(layout, stored, all, goesOn, look));
   }
   if (span.empty())
     return greyFault("none of its voxels has a value that is a number", "Export the volume again");
@@ -111,12 +108,11 @@ Result<DecodedGrey> decodedGrey(const VoxelLayout& layout, const VoxelBytes& sto
     return greyFault("its intensities span more than can be computed with",
                      "Export the volume again, without values that only mark what is missing");
   grey.volume.size = glm::ivec3(layout.size);
-  grey.volume.voxels.resize(*all / std::uint64_t(layout.layers));
+  grey.volume.voxels.resize(all / std::uint64_t(layout.layers));
   const auto take = [&]<class T>(const VoxelRun& run) {
     encode<T>(grey.volume.voxels, run, coding, span.least);
   };
-  if (const Status read = forEachOfFirst(layout, stored, *all, goesOn, take); !read)
-    return read.error();
+  TRY(forEachOfFirst(layout, stored, all, goesOn, take));
   return grey;
 }
 

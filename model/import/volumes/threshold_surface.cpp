@@ -61,13 +61,10 @@ class Thresholder {
     if (!makeMask())
       return thresholdFault("nothing in it has an intensity of " + boundsText(m_bounds),
                             "Choose other bounds");
-    if (const Status kept = keepPieces(); !kept)
-      return kept.error();
-    Result<RawMeshes> surfaces =
-        placedSurfaces(m_mask, m_options, [this](const LabelNet& net) { return placed(net); });
-    if (!surfaces)
-      return surfaces.error();
-    ThresholdSurface result{std::move(surfaces->meshes.front()), std::move(m_notes)};
+    TRY(keepPieces());
+    RawMeshes surfaces =
+        TRY(placedSurfaces(m_mask, m_options, [this](const LabelNet& net) { return placed(net); }));
+    ThresholdSurface result{std::move(surfaces.meshes.front()), std::move(m_notes)};
     result.mesh.displacement = m_displacement;
     result.mesh.sliceDistance = 0.0f;  // intensities tell where it lies between voxels
     result.mesh.threshold = m_threshold;
@@ -243,13 +240,11 @@ class Thresholder {
 Result<ThresholdSurface> thresholdSurface(const GreyVolume& volume, const Threshold& threshold,
                                           const ReadOptions& options) {
   // Bounds that depend on the scan's contents are found in the measured data.
-  const Result<IntensityBounds> bounds = boundsOf(threshold, volume);
-  if (!bounds)
-    return bounds.error();
+  const IntensityBounds bounds = TRY(boundsOf(threshold, volume));
   const ThresholdPreset* preset = presetNamed(threshold.name);
   const bool even = preset && preset->outerSurface;
   const std::optional<GreyVolume> finer = even ? std::nullopt : refinedScan(volume);
-  return Thresholder(finer ? *finer : volume, {threshold.name, bounds->low, bounds->high}, options)
+  return Thresholder(finer ? *finer : volume, {threshold.name, bounds.low, bounds.high}, options)
       .run();
 }
 

@@ -91,10 +91,8 @@ bool looksLikeHounsfield(const GreyVolume& volume) {
 
 Result<GreyVolumeRead> greyOf(const VolumeFile& file, const std::string& name,
                               const ReadOptions& options) {
-  Result<DecodedGrey> grey = decodeGrey(file.layout, file.stored, options.goesOn);
-  if (!grey)
-    return grey.error();
-  GreyVolume& volume = grey->volume;
+  DecodedGrey grey = TRY(decodeGrey(file.layout, file.stored, options.goesOn));
+  GreyVolume& volume = grey.volume;
   volume.toLps = file.toLps;
   volume.frame = file.frame;
   volume.frameReason = file.frameReason;
@@ -107,9 +105,9 @@ Result<GreyVolumeRead> greyOf(const VolumeFile& file, const std::string& name,
   if (file.layout.layers > 1)
     read.warnings.push_back({name, "holds " + std::to_string(file.layout.layers) +
                                        " images of one place; the first was read"});
-  if (grey->roundedBy > 0.0)
+  if (grey.roundedBy > 0.0)
     read.notes.push_back(name + ": intensities were rounded to 16 bits, by at most " +
-                         shortNumber(grey->roundedBy));
+                         shortNumber(grey.roundedBy));
   read.volume = std::make_shared<const GreyVolume>(std::move(volume));
   return read;
 }

@@ -75,8 +75,7 @@ class Set {
         return Error{m_files[first].string(), {}, "the import was cancelled", {}};
     }
     for (Open& open : m_open)
-      if (const Status closed = close(open); !closed)
-        return closed.error();
+      TRY(close(open));
     if (!m_empty.empty())
       m_all.warnings.push_back(
           {m_files.front().parent_path().filename().string(),
@@ -174,10 +173,8 @@ class Set {
       open.volume.labels[i].name = std::to_string(i);
     LabelVolumes volumes;
     volumes.volumes.push_back(std::move(open.volume));
-    Result<RawMeshes> made = volumeSurfaces(volumes, m_bytes, m_options);
-    if (!made)
-      return made.error();
-    for (RawMesh& mesh : made->meshes) {
+    RawMeshes made = TRY(volumeSurfaces(volumes, m_bytes, m_options));
+    for (RawMesh& mesh : made.meshes) {
       const std::size_t label = std::stoul(mesh.name);
       mesh.name = names[label];
       mesh.file = open.files[label];

@@ -41,17 +41,14 @@ Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t byte
           {}, {}, "the volume holds nothing but background", "Choose a volume with structures"};
       continue;
     }
-    Result<RawMeshes> surfaces = labelSurfaces(volume, bounded);
-    if (!surfaces)
-      return surfaces.error();
-    for (const RawMesh& mesh : surfaces->meshes) {
+    RawMeshes surfaces = TRY(labelSurfaces(volume, bounded));
+    for (const RawMesh& mesh : surfaces.meshes) {
       spend(bounded.limits.vertices, mesh.positions.size());
       spend(bounded.limits.triangles, mesh.triangles.size());
     }
-    all.thereAlready += surfaces->thereAlready;
-    std::move(surfaces->meshes.begin(), surfaces->meshes.end(), std::back_inserter(all.meshes));
-    std::move(surfaces->warnings.begin(), surfaces->warnings.end(),
-              std::back_inserter(all.warnings));
+    all.thereAlready += surfaces.thereAlready;
+    std::move(surfaces.meshes.begin(), surfaces.meshes.end(), std::back_inserter(all.meshes));
+    std::move(surfaces.warnings.begin(), surfaces.warnings.end(), std::back_inserter(all.warnings));
   }
   if (all.meshes.empty() && all.thereAlready == 0 && empty)
     return *empty;

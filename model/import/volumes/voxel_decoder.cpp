@@ -107,15 +107,11 @@ Result<DecodedLabels> decoded(const VoxelLayout& layout, const VoxelBytes& store
     return labelFault("holds " + std::to_string(layout.layers) + " volumes in one, at most " +
                           std::to_string(mostLayers) + " are read",
                       "Export one label volume");
-  const Result<std::uint64_t> count = voxelCount(layout, stored);
-  if (!count)
-    return count.error();
+  const std::uint64_t count = TRY(voxelCount(layout, stored));
   try {
-    Decoder decoder(layout, *count);
-    if (const Status read = forEachRun(layout, stored, *count, goesOn,
-                                       [&](const VoxelRun& run) { return decoder.take(run); });
-        !read)
-      return read.error();
+    Decoder decoder(layout, count);
+    TRY(forEachRun(layout, stored, count, goesOn,
+                   [&](const VoxelRun& run) { return decoder.take(run); }));
     return std::move(decoder).finish();
   } catch (const std::bad_alloc&) {
     return labelFault("needs more memory than there is", "Close other programs");

@@ -50,17 +50,13 @@ class Cards {
                        "Choose what cards ask: what something is, its number, or which name "
                        "is covered"};
     if (!wantsAllViews(m_order)) {
-      if (const Status added = addView(m_order, {}); !added.ok())
-        return added.error();
+      TRY(addView(m_order, {}));
     } else {
       const std::vector<model::View>& views = m_order.scene.views();
       m_share = 1.0 / double(views.size());
       for (const model::View& view : views) {
         const ExportOrder one = pictureOfView(m_order, view);
-        if (const Status added =
-                addView(one, titleOfView(view, language(), model::knownSides(one.scene)));
-            !added.ok())
-          return added.error();
+        TRY(addView(one, titleOfView(view, language(), model::knownSides(one.scene))));
         m_done += m_share;
       }
     }
@@ -96,12 +92,11 @@ class Cards {
   /// Draws the picture with its marks, without any label.
   Status drawGround(const ExportOrder& order, const Marks& marks, std::string& name) {
     const glm::ivec2 size = cardPixels(order.page);
-    const Result<Image> drawn = m_painter->render(
-        order.scene, order.camera,
-        {.width = size.x, .height = size.y, .environment = order.environment}, samplesAtOnce(size));
-    if (!drawn.ok())
-      return drawn.error();
-    return addPicture(CardPainter(order).ground(*drawn, marks), name);
+    const Image drawn =
+        TRY(m_painter->render(order.scene, order.camera,
+                              {.width = size.x, .height = size.y, .environment = order.environment},
+                              samplesAtOnce(size)));
+    return addPicture(CardPainter(order).ground(drawn, marks), name);
   }
 
   /// Holds what the cards of one view share.
@@ -134,20 +129,17 @@ class Cards {
     }
     if (questions.empty() || plate.labels->layout.labels.empty())
       return Unit{};
-    if (Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
-      return drawn;
+    TRY(drawGround(sheet.order, plate.marks, sheet.ground));
     ExportOrder asked = sheet.order;
     asked.labels.mode = LabelMode::numbers;  // a question names nothing
     sheet.shows = altTextOf(asked).text;
-    if (Status numbered = addNumbers(sheet, questions); !numbered.ok())
-      return numbered;
+    TRY(addNumbers(sheet, questions));
     addPart(order, title);
     for (std::size_t i = 0; i < questions.size(); ++i) {
       if (!goesOn(0.2 + 0.75 * double(i) / double(questions.size()),
                   "drawing card " + std::to_string(i + 1)))
         return givenUp({});
-      if (Status added = addQuestion(sheet, questions[i]); !added.ok())
-        return added;
+      TRY(addQuestion(sheet, questions[i]));
     }
     return Unit{};
   }
@@ -199,8 +191,7 @@ class Cards {
       note.id = hexOf(fingerprintOf(m_deck.name + '\n' + sheet.order.viewName + '\n' +
                                     std::to_string(id.value) + '\n' + shown->text));
       note.label = question.words;
-      if (Status drawn = addFaces(note, sheet, id, labels); !drawn.ok())
-        return drawn;
+      TRY(addFaces(note, sheet, id, labels));
       if (!numbers.empty()) {
         note.numbered = {question.words + ": " + m_words.whichNumber, sheet.ground, sheet.numbered,
                          sheet.shows};
@@ -220,12 +211,10 @@ class Cards {
     // An answer names what it answers alone: others are asked for later.
     if (!sheet.shows.empty())
       note.named.shows = sheet.shows + ' ' + note.label;
-    if (Status drawn = addPicture(painter.labels(alone), note.named.over); !drawn.ok())
-      return drawn;
+    TRY(addPicture(painter.labels(alone), note.named.over));
     if (wanted.nameIt) {
       note.marked = {m_words.whatIsMarked, sheet.ground, {}, sheet.shows};
-      if (Status drawn = addPicture(painter.question(alone, {id}), note.marked.over); !drawn.ok())
-        return drawn;
+      TRY(addPicture(painter.question(alone, {id}), note.marked.over));
     }
     if (!wanted.cover)
       return Unit{};
@@ -254,13 +243,9 @@ class Cards {
 Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progress) {
   if (progress && !progress(0.0, "preparing surfaces"))
     return givenUp({});
-  const auto typesetting = Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
-  Result<HeadlessPicture> painter = HeadlessPicture::create();
-  if (!painter.ok())
-    return painter.error();
-  return Cards(order, *painter, progress).make();
+  const auto typesetting = TRY(Typesetting::create());  // as long as text is set
+  HeadlessPicture painter = TRY(HeadlessPicture::create());
+  return Cards(order, painter, progress).make();
 }
 
 }  // namespace sline::render

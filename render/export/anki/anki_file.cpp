@@ -21,8 +21,7 @@ constexpr const char* textName = "deck.txt";
 
 Status fillFolder(const AnkiDeck& deck, const fs::path& folder) {
   for (const model::ZipMember& picture : deck.media)
-    if (Status written = model::writeText(folder / picture.name, picture.bytes); !written.ok())
-      return written;
+    TRY(model::writeText(folder / picture.name, picture.bytes));
   return model::writeText(folder / textName, ankiText(deck));
 }
 
@@ -60,12 +59,10 @@ Status writeAnki(const ExportOrder& order, const fs::path& target, const ExportP
     return error;
   };
   const auto write = [&](const auto& put) -> Status {
-    const Result<AnkiDeck> deck = ankiCards(order, progress);
-    if (!deck.ok())
-      return deck.error();
+    const AnkiDeck deck = TRY(ankiCards(order, progress));
     if (progress && !progress(0.95, "writing the deck"))
       return givenUp(target);
-    return put(*deck);
+    return put(deck);
   };
   const std::string extension = lowerExtension(target);
   Status written =

@@ -269,10 +269,8 @@ Result<std::string> ankiPackage(const AnkiDeck& deck) {
                    zero, textOf(configuration()), textOf(noteTypes(idOf("deck " + deck.name))),
                    textOf(decksOf(deck)), textOf(deckOptions()), std::string("{}")});
   addNotes(database, deck);
-  Result<std::string> collection = database.bytes();
-  if (!collection.ok())
-    return collection.error();
-  std::vector<model::ZipMember> members{{"collection.anki2", std::move(*collection)}};
+  std::string collection = TRY(database.bytes());
+  std::vector<model::ZipMember> members{{"collection.anki2", std::move(collection)}};
   // Pictures are stored under numbers; a table has their names.
   Json names = Json::object();
   for (std::size_t i = 0; i < deck.media.size(); ++i) {

@@ -123,10 +123,8 @@ Result<Comparison> compareTechniques(const ComparisonOrder& order, const ExportP
       const std::string what = model.name + ", " + factsOf(technique).name;
       if (progress && !progress(done++ / all, what))
         return givenUp({});
-      Result<ComparedCell> cell = compare(model, technique, order);
-      if (!cell.ok())
-        return cell.error();
-      row.push_back(std::move(*cell));
+      ComparedCell cell = TRY(compare(model, technique, order));
+      row.push_back(std::move(cell));
     }
   }
   return comparison;

@@ -10,8 +10,7 @@ Status checkSheetName(const std::filesystem::path& target) {
 }
 
 Status writeSheet(const ComparisonSheet& sheet, const std::filesystem::path& target, float dpi) {
-  if (Status named = checkSheetName(target); !named.ok())
-    return named;
+  TRY(checkSheetName(target));
   DrawnPage page{.sizeMm = sheet.sizeMm};
   for (const SheetCell& cell : sheet.cells)
     page.drawings.push_back(

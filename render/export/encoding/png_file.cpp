@@ -67,8 +67,7 @@ class PngFile : public RowFile {
       : m_layout(layout), m_sink(std::move(sink)), m_above(layout.rowBytes()) {}
 
   Status add(std::span<const std::byte> rows) override {
-    if (Status begun = begin(); !begun.ok())
-      return begun;
+    TRY(begin());
     const std::size_t length = m_layout.rowBytes();
     const std::size_t count = rows.size() / length;
     if (count == 0)
@@ -90,8 +89,7 @@ class PngFile : public RowFile {
   }
 
   Status finish() override {
-    if (Status begun = begin(); !begun.ok())
-      return begun;
+    TRY(begin());
     return m_sink(pngChunk("IDAT", m_stream.finish()) + pngChunk("IEND", {}));
   }
 
@@ -107,8 +105,7 @@ class PngFile : public RowFile {
     for (std::size_t i = 0; i < filtered.size(); i += partBytes)
       parts.push_back(filtered.subspan(i, std::min(partBytes, filtered.size() - i)));
     for (const std::string& deflated : m_stream.add(parts))
-      if (Status written = m_sink(pngChunk("IDAT", deflated)); !written.ok())
-        return written;
+      TRY(m_sink(pngChunk("IDAT", deflated)));
     return Unit{};
   }
 

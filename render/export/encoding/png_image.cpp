@@ -37,10 +37,8 @@ Result<std::string> pngOf(const Image& image, const ExportCredit& credit) {
     return Unit{};
   });
   const std::vector<std::uint8_t> rgb = opaque ? withoutAlpha(image) : std::vector<std::uint8_t>();
-  if (Status added = png->add(std::as_bytes(std::span(opaque ? rgb : image.rgba))); !added.ok())
-    return added.error();
-  if (Status finished = png->finish(); !finished.ok())
-    return finished.error();
+  TRY(png->add(std::as_bytes(std::span(opaque ? rgb : image.rgba))));
+  TRY(png->finish());
   return bytes;
 }
 

@@ -25,12 +25,10 @@ Result<VectorDrawing> drawnPanel(const ExportOrder& order, float penHeightMm,
                                  const VectorProgress& progress) {
   const glm::vec2 size = order.page.sizeMm;
   const float times = penHeightMm / size.y;
-  Result<VectorDrawing> drawing =
+  VectorDrawing drawing = TRY(
       drawVectors(order.scene, model::withHeight(order.camera, times),
-                  {.sizeMm = {size.x, penHeightMm}, .environment = order.environment}, progress);
-  if (!drawing.ok())
-    return drawing;
-  return cropped(std::move(*drawing), {0.0f, 0.5f * (penHeightMm - size.y)}, size);
+                  {.sizeMm = {size.x, penHeightMm}, .environment = order.environment}, progress));
+  return cropped(std::move(drawing), {0.0f, 0.5f * (penHeightMm - size.y)}, size);
 }
 
 bool sameLook(const FigurePlan& a, const FigurePlan& b, std::size_t index) {
@@ -257,8 +255,7 @@ ExportCredit creditOf(const ComposedFigure& figure, const ExportOrder& options) 
 Status writeFigure(const ComposedFigure& figure, const ExportOrder& options,
                    const std::filesystem::path& target, const ExportProgress& progress) {
   const bool ink = figure.plan.figure.blackAndWhite;
-  if (Status fine = checkFigureOptions(options, ink); !fine.ok())
-    return fine;
+  TRY(checkFigureOptions(options, ink));
   return writePage(pageOf(figure, creditOf(figure, options)), target, pixelsOf(options, ink),
                    progress);
 }

@@ -61,30 +61,20 @@ class Planning {
   }
 
   Result<FigurePlan> make() {
-    if (const Status fine = model::checkFigure(figure()); !fine.ok())
-      return fine.error();
-    Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
-    if (!typesetting.ok())
-      return typesetting.error();
-    m_typesetting = std::move(*typesetting);
+    TRY(model::checkFigure(figure()));
+    m_typesetting = TRY(Typesetting::create());
     m_plan.legend = {listOf(figure().legend), legendShare * figure().points};
-    Result<model::FigureLayout> layout = model::layOut(figure());
-    if (!layout.ok())
-      return layout.error();
+    const model::FigureLayout layout = TRY(model::layOut(figure()));
     m_plan.panels.resize(figure().panels.size());
-    for (const std::size_t i : layout->order)
-      if (const Status shown = showScene(i, layout->panels[i].from); !shown.ok())
-        return shown.error();
+    for (const std::size_t i : layout.order)
+      TRY(showScene(i, layout.panels[i].from));
     for (const ExportOrder& panel : m_plan.panels)
       m_plan.legend.add(panel.scene, figure().language);
     if (m_options.sourcesInPicture())
       m_plan.credits = {sourcesOf(m_plan.panels),
                         std::max(creditShare * figure().points, figure().leastPoints)};
-    layout = model::layOut(figure(), m_plan.legend.heightIn(figure().widthMm) +
-                                         m_plan.credits.heightIn(figure().widthMm));
-    if (!layout.ok())
-      return layout.error();
-    m_plan.layout = std::move(*layout);
+    m_plan.layout = TRY(model::layOut(figure(), m_plan.legend.heightIn(figure().widthMm) +
+                                                    m_plan.credits.heightIn(figure().widthMm)));
     reserve();
     for (const std::size_t i : m_plan.layout.order)
       aim(i);

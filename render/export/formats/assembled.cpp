@@ -49,10 +49,7 @@ void takePage(ExportOrder& order, const ExportFormat& format) {
 Status frame(ExportOrder& order, const Framing& framing) {
   if (!framing)
     return Unit{};
-  const Result<model::Camera> camera = framing(order);
-  if (!camera.ok())
-    return camera.error();
-  order.camera = *camera;
+  order.camera = TRY(framing(order));
   return Unit{};
 }
 
@@ -91,8 +88,7 @@ Result<std::vector<ExportPiece>> assembled(const ExportWish& wish, const ExportF
   if (whole.pureInk)
     leaveInkAlone(whole);
   if (format.page != PageUse::none)
-    if (const Status framed = frame(whole, wish.framing); !framed.ok())
-      return framed.error();
+    TRY(frame(whole, wish.framing));
   return std::vector<ExportPiece>{{std::move(whole), wish.filled, wish.target}};
 }
 
@@ -100,8 +96,7 @@ Result<ExportOrder> assembledPicture(const ExportWish& wish) {
   ExportOrder order = wish.order;
   if (order.pureInk)
     leaveInkAlone(order);
-  if (const Status framed = frame(order, wish.framing); !framed.ok())
-    return framed.error();
+  TRY(frame(order, wish.framing));
   return order;
 }
 

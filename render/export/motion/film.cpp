@@ -67,8 +67,7 @@ Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
   const FilmOptions& options = order.of<FilmOptions>();
   Film film;
   film.m_size = filmSize(order);
-  if (const Status fine = checked(options, film.m_size); !fine.ok())
-    return fine.error();
+  TRY(checked(options, film.m_size));
   film.m_framesPerSecond = options.framesPerSecond;
   film.m_frames = filmFrames(options);
   switch (options.motion) {
@@ -79,17 +78,11 @@ Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
       return film;
     }
     case Motion::tour: {
-      Result<Tour> tour = tourOf(order);
-      if (!tour.ok())
-        return tour.error();
-      film.m_motion = std::move(*tour);
+      film.m_motion = TRY(tourOf(order));
       return film;
     }
     case Motion::gammaSweep: {
-      Result<Sweep> sweep = sweepOf(order);
-      if (!sweep.ok())
-        return sweep.error();
-      film.m_motion = std::move(*sweep);
+      film.m_motion = TRY(sweepOf(order));
       return film;
     }
   }

@@ -60,10 +60,7 @@ class Filming {
   Status prepare() {
     if (!tell(0.0, "preparing surfaces"))
       return givenUp(m_target);
-    Result<std::unique_ptr<FilmPainter>> painter = FilmPainter::create(m_order);
-    if (!painter.ok())
-      return painter.error();
-    m_painter = std::move(*painter);
+    m_painter = TRY(FilmPainter::create(m_order));
     Result<Film> film = Film::create(m_order, m_painter->anatomyShare());
     if (!film.ok())
       return at(film.error());
@@ -89,10 +86,8 @@ class Filming {
       if (!tell(0.0, "choosing colours"))
         return givenUp(m_target);
       const int frame = count > 1 ? i * (m_film->frames() - 1) / (count - 1) : 0;
-      Result<Image> look = m_painter->drawAlone(*m_film, frame);
-      if (!look.ok())
-        return look.error();
-      looks.push_back(std::move(*look));
+      Image look = TRY(m_painter->drawAlone(*m_film, frame));
+      looks.push_back(std::move(look));
     }
     return GifPalette::of(looks);
   }
@@ -110,8 +105,7 @@ class Filming {
       const Result<Image> image = m_painter->draw(*m_film, i);
       if (!image.ok())
         return at(image.error());
-      if (Status added = sink.add(*image); !added.ok())
-        return added;
+      TRY(sink.add(*image));
     }
     m_progress.note(m_painter->notes());
     if (!tell(0.99, "finishing the film"))
@@ -150,8 +144,7 @@ class Filming {
 /// Writes the film; `newSink(file)` begins the file.
 template <class Begin>
 Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink) {
-  if (Status ready = filming.prepare(); !ready.ok())
-    return ready;
+  TRY(filming.prepare());
   const Status written = model::writeBeside(target, [&](const fs::path& file) -> Status {
     NewSink sink = newSink(file);
     if (!sink.ok())
@@ -199,10 +192,8 @@ Status writeGif(const ExportOrder& order, const fs::path& target, const ExportPr
     // The file comes first: if it cannot be written, no colours need to be found.
     if (NewSink trial = gifSink(file, filming.shape(), GifPalette::of({})); !trial.ok())
       return trial;
-    Result<GifPalette> palette = filming.palette();
-    if (!palette.ok())
-      return palette.error();
-    return gifSink(file, filming.shape(), std::move(*palette));
+    GifPalette palette = TRY(filming.palette());
+    return gifSink(file, filming.shape(), std::move(palette));
   });
 }
 
@@ -216,8 +207,7 @@ Status writeFrames(const ExportOrder& order, const fs::path& target,
                    const ExportProgress& progress) {
   return model::writeFolder(target, [&](const fs::path& folder) -> Status {
     Filming filming(order, target, progress);
-    if (Status ready = filming.prepare(); !ready.ok())
-      return ready;
+    TRY(filming.prepare());
     NewSink sink = frameSink(folder, filming.shape());
     if (!sink.ok())
       return sink.error();

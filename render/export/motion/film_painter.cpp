@@ -84,16 +84,10 @@ FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {
 FilmPainter::~FilmPainter() = default;
 
 Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
-  Result<HeadlessPicture> picture = HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
-  std::unique_ptr<Data> data(
-      new Data{order, nullptr, std::move(picture).value(), FilmLabels(order), {}});
+  HeadlessPicture picture = TRY(HeadlessPicture::create());
+  std::unique_ptr<Data> data(new Data{order, nullptr, std::move(picture), FilmLabels(order), {}});
   if (!data->bare()) {
-    Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
-    if (!typesetting.ok())
-      return typesetting.error();
-    data->typesetting = std::move(*typesetting);
+    data->typesetting = TRY(Typesetting::create());
   }
   return std::unique_ptr<FilmPainter>(new FilmPainter(std::move(data)));
 }

@@ -184,8 +184,7 @@ NewSink gifSink(const std::filesystem::path& file, const FilmShape& shape, GifPa
                  .reason = "GIF films show at most 50 frames per second",
                  .remedy = "Choose 50 or fewer, or another kind of film"};
   auto sink = std::make_unique<GifSink>(file, shape, std::move(palette));
-  if (const Status begun = sink->begin(); !begun.ok())
-    return begun.error();
+  TRY(sink->begin());
   return std::unique_ptr<FilmSink>(std::move(sink));
 }
 

@@ -112,8 +112,7 @@ class WebpSink : public FilmSink {
 
 NewSink webpSink(const std::filesystem::path& file, const FilmShape& shape) {
   auto sink = std::make_unique<WebpSink>(file, shape);
-  if (const Status begun = sink->begin(); !begun.ok())
-    return begun.error();
+  TRY(sink->begin());
   return std::unique_ptr<FilmSink>(std::move(sink));
 }
 

@@ -69,10 +69,7 @@ Status parseAs(const TextOption& kind, std::string_view text, OptionValue& value
 
 Result<OptionValue> parseOption(const ExportOption& option, std::string_view text) {
   OptionValue value;
-  const Status read =
-      std::visit([&](const auto& kind) { return parseAs(kind, text, value); }, option.kind);
-  if (!read.ok())
-    return read.error();
+  TRY(std::visit([&](const auto& kind) { return parseAs(kind, text, value); }, option.kind));
   return value;
 }
 

@@ -133,12 +133,9 @@ class SheetMaker {
     }
     if (plate.labels->layout.labels.empty())
       return sheet;
-    if (Status drawn = drawGrounds(sheet, plate.marks); !drawn.ok())
-      return drawn.error();
-    if (Status numbered = addNumbers(sheet, plate.marks); !numbered.ok())
-      return numbered.error();
-    if (Status added = addThings(sheet, plate); !added.ok())
-      return added.error();
+    TRY(drawGrounds(sheet, plate.marks));
+    TRY(addNumbers(sheet, plate.marks));
+    TRY(addThings(sheet, plate));
     addOthers(sheet);
     return sheet;
   }
@@ -160,18 +157,13 @@ class SheetMaker {
     for (const auto& [most, picture] :
          {std::pair{largePicture, &sheet.ground}, std::pair{markerPicture, &sheet.small}}) {
       const glm::ivec2 size = fittedSize(m_order.page.sizeMm, most);
-      const Result<Image> bare = drawn(size);
-      if (!bare.ok())
-        return bare.error();
+      const Image bare = TRY(drawn(size));
       if (picture == &sheet.ground)
-        m_ground = imageOf(*bare);
-      Result<QuestionPicture> made =
-          pictureOf(paintedPng(m_order, imageOf(*bare),
-                               [&marks](QPainter& painter) { paintMarks(painter, marks); }),
-                    size);
-      if (!made.ok())
-        return made.error();
-      *picture = std::move(*made);
+        m_ground = imageOf(bare);
+      *picture =
+          TRY(pictureOf(paintedPng(m_order, imageOf(bare),
+                                   [&marks](QPainter& painter) { paintMarks(painter, marks); }),
+                        size));
     }
     return Unit{};
   }
@@ -184,15 +176,12 @@ class SheetMaker {
       if (plate.labels->layout.find(label.item.id))
         m_numbers[label.item.id] = label.number;
     putInOrderOfNumbers(m_asked.questions, *plate.labels);
-    Result<QuestionPicture> made = pictureOf(paintedPng(order, m_ground,
-                                                        [&](QPainter& painter) {
-                                                          paintMarks(painter, marks);
-                                                          paintLabels(painter, *plate.labels);
-                                                        }),
-                                             sheet.ground.size);
-    if (!made.ok())
-      return made.error();
-    sheet.numbered = std::move(*made);
+    sheet.numbered = TRY(pictureOf(paintedPng(order, m_ground,
+                                              [&](QPainter& painter) {
+                                                paintMarks(painter, marks);
+                                                paintLabels(painter, *plate.labels);
+                                              }),
+                                   sheet.ground.size));
     return Unit{};
   }
 
@@ -214,10 +203,7 @@ class SheetMaker {
       thing.id = std::to_string(shown->value);
       names.fill(thing, *shown);
       thing.zone = zoneOf(seen.areaOf(question.structures), m_order.page.sizeMm);
-      Result<QuestionPicture> marked = markedPicture(plate, *shown, sheet.ground.size);
-      if (!marked.ok())
-        return marked.error();
-      thing.marked = std::move(*marked);
+      thing.marked = TRY(markedPicture(plate, *shown, sheet.ground.size));
       m_places.push_back(placeOf(plate, *shown));
       sheet.things.push_back(std::move(thing));
     }
@@ -292,12 +278,8 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
                  .remedy = "Choose what is asked: where something is, or its name"};
   if (progress && !progress(0.0, "preparing surfaces"))
     return givenUp({});
-  const auto typesetting = Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
-  Result<HeadlessPicture> painter = HeadlessPicture::create();
-  if (!painter.ok())
-    return painter.error();
+  const auto typesetting = TRY(Typesetting::create());  // as long as text is set
+  HeadlessPicture painter = TRY(HeadlessPicture::create());
   QuestionBook book = emptyBook(order);
   model::MeshTrees trees;
   std::vector<std::pair<std::string, ExportOrder>> views;
@@ -312,14 +294,12 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (progress && !progress(0.9 * double(i) / double(views.size()), "drawing questions"))
       return givenUp({});
-    Result<QuestionSheet> sheet =
-        SheetMaker(views[i].second, *painter, trees).make(views[i].first, progress);
-    if (!sheet.ok())
-      return sheet.error();
-    for (SheetThing& thing : sheet->things)
+    QuestionSheet sheet =
+        TRY(SheetMaker(views[i].second, painter, trees).make(views[i].first, progress));
+    for (SheetThing& thing : sheet.things)
       thing.id = "v" + std::to_string(i + 1) + "-" + thing.id;
-    if (!sheet->things.empty())
-      book.sheets.push_back(std::move(*sheet));
+    if (!sheet.things.empty())
+      book.sheets.push_back(std::move(sheet));
   }
   if (book.sheets.empty())
     return Error{.reason = "the picture has no labels to ask for",

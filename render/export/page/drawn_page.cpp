@@ -118,29 +118,24 @@ Result<PixelLayout> layoutOf(const DrawnPage& page, const PagePixels& pixels) {
 
 Status writePixelPage(const DrawnPage& page, const std::filesystem::path& target,
                       const PagePixels& pixels, const ExportProgress& progress) {
-  const Result<PixelLayout> layout = layoutOf(page, pixels);
-  if (!layout.ok())
-    return layout.error();
+  const PixelLayout layout = TRY(layoutOf(page, pixels));
   constexpr int bandPixels = 4'000'000;
-  const int most = std::clamp(bandPixels / layout->width, 1, layout->height);
-  const double perMm = double(layout->width) / double(page.sizeMm.x);
+  const int most = std::clamp(bandPixels / layout.width, 1, layout.height);
+  const double perMm = double(layout.width) / double(page.sizeMm.x);
   const PixelKind kind = lowerExtension(target) == ".png" ? PixelKind::png : PixelKind::tiff;
   return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
-    const Result<std::unique_ptr<RowFile>> file = rowFile(kind, *layout, beside);
-    if (!file.ok())
-      return file.error();
-    for (int top = 0; top < layout->height; top += most) {
-      BandPage band(perMm, top, {layout->width, std::min(most, layout->height - top)});
+    const std::unique_ptr<RowFile> file = TRY(rowFile(kind, layout, beside));
+    for (int top = 0; top < layout.height; top += most) {
+      BandPage band(perMm, top, {layout.width, std::min(most, layout.height - top)});
       const auto goOn = [&](double share) {
         const double rows = double(top) + share * double(most);
-        return !progress || progress(std::min(1.0, rows / double(layout->height)), "writing");
+        return !progress || progress(std::min(1.0, rows / double(layout.height)), "writing");
       };
       if (!setPage(page, band, {}, goOn))
         return givenUp(target);
-      if (Status added = (*file)->add(packedRows(band.finish(), *layout)); !added.ok())
-        return added;
+      TRY(file->add(packedRows(band.finish(), layout)));
     }
-    return (*file)->finish();
+    return file->finish();
   });
 }
 
@@ -152,13 +147,11 @@ Status writePdfPage(const DrawnPage& page, const std::filesystem::path& target,
   pages.describe({page.credit.description, page.credit.descriptionLanguage});
   ExportCredit credit = page.credit;
   credit.description.clear();  // it is said of the page
-  const Result<QByteArray> document = pages.finish(credit);
-  if (!document.ok())
-    return document.error();
+  const QByteArray document = TRY(pages.finish(credit));
   if (!goOn(1.0))
     return givenUp(target);
   return model::writeText(target,
-                          std::string_view(document->constData(), std::size_t(document->size())));
+                          std::string_view(document.constData(), std::size_t(document.size())));
 }
 
 Status writeSvgPage(const DrawnPage& page, const std::filesystem::path& target,
@@ -190,8 +183,7 @@ QImage pagePicture(const DrawnPage& page, int width) {
 
 Status writePage(const DrawnPage& page, const std::filesystem::path& target,
                  const PagePixels& pixels, const ExportProgress& progress) {
-  if (Status named = checkPageName(target, "a page"); !named.ok())
-    return named;
+  TRY(checkPageName(target, "a page"));
   const auto goOn = [&progress](double share) { return !progress || progress(share, "writing"); };
   const std::string ending = lowerExtension(target);
   if (ending == ".svg")

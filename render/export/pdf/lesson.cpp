@@ -40,8 +40,7 @@ class Lesson {
         m_title(QString::fromStdString(order.of<SheetOptions>().title).simplified()) {}
 
   Result<QByteArray> make(const std::filesystem::path& target, const ExportProgress& progress) {
-    if (const Status drawn = draw(target, progress); !drawn.ok())
-      return drawn.error();
+    TRY(draw(target, progress));
     if (progress && !progress(0.9, "setting the pages"))
       return givenUp(target);
     std::unique_ptr<PdfPages> pages;
@@ -73,8 +72,7 @@ class Lesson {
         return !progress || progress(0.9 * (double(i) + share) / double(views.size()), what);
       };
       m_parts.push_back(std::make_unique<LessonPart>(lessonSheet(m_order, views[i])));
-      if (Status drawn = m_parts.back()->setter.draw(target, {tell, &notes}); !drawn.ok())
-        return drawn;
+      TRY(m_parts.back()->setter.draw(target, {tell, &notes}));
       progress.note(notes);
     }
     return Unit{};

@@ -29,14 +29,12 @@ double pdfWeight(const ExportOrder& order, const ExportProgress& progress) {
 
 Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {
-  const Result<QByteArray> document = documentOf(order, target, progress);
-  if (!document.ok())
-    return document.error();
+  const QByteArray document = TRY(documentOf(order, target, progress));
   progress.note(drawingNotes(order));
   if (progress && !progress(0.95, "writing the file"))
     return givenUp(target);
   return model::writeText(target,
-                          std::string_view(document->constData(), std::size_t(document->size())));
+                          std::string_view(document.constData(), std::size_t(document.size())));
 }
 
 }  // namespace sline::render

@@ -33,8 +33,7 @@ Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem
   if (const auto fault = model::cameraFault(order.camera))
     return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
   SheetSetter sheet(order);
-  if (const Status drawn = sheet.draw(target, progress); !drawn.ok())
-    return drawn.error();
+  TRY(sheet.draw(target, progress));
   if (progress && !progress(0.9, "setting the pages"))
     return givenUp(target);
   const auto pages = pagesOf(sheet, [&] {
@@ -51,8 +50,7 @@ Result<std::vector<QImage>> sheetPictures(const ExportOrder& order, const QImage
     return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
   const ExportProgress progress([](double, std::string_view) { return true; }, notes);
   SheetSetter sheet(order);
-  if (const Status ready = sheet.take(figure, progress); !ready.ok())
-    return ready.error();
+  TRY(sheet.take(figure, progress));
   const auto pages =
       pagesOf(sheet, [&] { return std::make_unique<PicturePages>(sheet.layout().paper, width); });
   progress.note(sheet.notes());
@@ -61,11 +59,9 @@ Result<std::vector<QImage>> sheetPictures(const ExportOrder& order, const QImage
 
 Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesystem::path& target,
                                   const ExportProgress& progress) {
-  const Result<VectorDrawing> drawing = drawFigure(order, target, progress);
-  if (!drawing.ok())
-    return drawing.error();
+  const VectorDrawing drawing = TRY(drawFigure(order, target, progress));
   PdfPages pages(order.page.sizeMm, model::firstLanguage(order.labels.language));
-  pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
+  pages.place(drawing, {{}, {{}, order.page.sizeMm}});
   pages.describe(altTextOf(order));
   ExportOrder figure = order;
   withoutSourcesLine(figure);

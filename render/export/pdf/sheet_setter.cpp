@@ -57,10 +57,7 @@ SheetSetter::SheetSetter(const ExportOrder& order)
 }
 
 Status SheetSetter::draw(const std::filesystem::path& target, const ExportProgress& progress) {
-  Result<VectorDrawing> drawing = drawFigure(m_order, target, progress);
-  if (!drawing.ok())
-    return drawing.error();
-  m_drawing = std::move(*drawing);
+  m_drawing = TRY(drawFigure(m_order, target, progress));
   ExportOrder said = m_order;
   if (!hasLabels(m_given.scene))  // those of the sheet are nobody's words
     said.labels.mode = LabelMode::off;
@@ -236,15 +233,10 @@ Status SheetSetter::prepareLegend() {
   std::vector<model::NodeId> ids;
   for (const LegendRow& row : m_legend)
     ids.push_back(row.node->id);
-  Result<std::vector<VectorDrawing>> samples = styleSamples(m_order, ids);
-  if (!samples.ok())
-    return samples.error();
-  m_samples = std::move(*samples);
+  m_samples = TRY(styleSamples(m_order, ids));
   for (const model::HiddenLines how : hiddenLinesShown(m_order.scene)) {
-    Result<VectorDrawing> sample = hiddenLinesSample(m_order, how);
-    if (!sample.ok())
-      return sample.error();
-    m_hiddenSamples.push_back(std::move(*sample));
+    VectorDrawing sample = TRY(hiddenLinesSample(m_order, how));
+    m_hiddenSamples.push_back(std::move(sample));
   }
   return Unit{};
 }

@@ -60,10 +60,8 @@ Result<VectorDrawing> sampleOf(const ExportOrder& order, const model::Scene& sce
   const VectorSettings settings{.sizeMm = {std::max(sampleMm.x, pageLimitsMm.low), height},
                                 .environment = order.environment};
   const glm::vec2 corner = 0.5f * (settings.sizeMm - sampleMm);
-  Result<VectorDrawing> drawing = drawVectors(scene, camera, settings);
-  if (!drawing.ok())
-    return drawing;
-  return cropped(std::move(*drawing), corner, sampleMm);
+  VectorDrawing drawing = TRY(drawVectors(scene, camera, settings));
+  return cropped(std::move(drawing), corner, sampleMm);
 }
 
 /// Adds the bean with that style, so many times as large, and then moved.
@@ -88,10 +86,8 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
     model::Style style = model::answersOf(order.scene.resolve(id));
     style.visible = true;
     addBean(scene, style);
-    Result<VectorDrawing> drawing = sampleOf(order, scene);
-    if (!drawing.ok())
-      return drawing.error();
-    samples.push_back(std::move(*drawing));
+    VectorDrawing drawing = TRY(sampleOf(order, scene));
+    samples.push_back(std::move(drawing));
   }
   return samples;
 }

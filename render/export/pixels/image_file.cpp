@@ -53,8 +53,7 @@ Status addAll(RowFile& file, const Image& image, const PixelLayout& layout) {
   const int most = std::max(1, 4'000'000 / std::max(image.width, 1));
   for (int top = 0; top < image.height; top += most) {
     const PixelRows rows = rowsOf(image, top, std::min(most, image.height - top));
-    if (Status added = file.add(packed(rows, layout)); !added.ok())
-      return added;
+    TRY(file.add(packed(rows, layout)));
   }
   return file.finish();
 }
@@ -68,8 +67,7 @@ class PngRowFile : public RowFile {
 
   Status add(std::span<const std::byte> rows) override { return m_png->add(rows); }
   Status finish() override {
-    if (Status finished = m_png->finish(); !finished.ok())
-      return finished;
+    TRY(m_png->finish());
     return m_file->close();
   }
 
@@ -87,12 +85,10 @@ class GrowingTarget : public ByteTarget {
     // Writers go back to write what they know only in the end, and leave a byte out so that the
     // next part begins at an even place.
     if (at > m_file->size())
-      if (Status filled = m_file->add(std::string(at - m_file->size(), '\0')); !filled.ok())
-        return filled;
+      TRY(m_file->add(std::string(at - m_file->size(), '\0')));
     const std::size_t over = std::min<std::uint64_t>(bytes.size(), m_file->size() - at);
     if (over > 0)
-      if (Status written = m_file->replace(at, bytes.substr(0, over)); !written.ok())
-        return written;
+      TRY(m_file->replace(at, bytes.substr(0, over)));
     return over < bytes.size() ? m_file->add(bytes.substr(over)) : Status(Unit{});
   }
   Status close() override { return m_file->close(); }
@@ -125,18 +121,14 @@ class ModuleRowFile : public RowFile {
 
 Result<std::unique_ptr<RowFile>> moduleRows(PixelKind kind, const PixelLayout& layout,
                                             const fs::path& file) {
-  const Result<const PixelModule*> module = pixelModule();
-  if (!module.ok())
-    return module.error();
-  Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
-  if (!growing.ok())
-    return growing.error();
+  const PixelModule* const module = TRY(pixelModule());
+  std::unique_ptr<model::GrowingFile> growing = TRY(model::GrowingFile::create(file));
   Result<std::unique_ptr<RowFile>> rows =
-      (*module)->rows(kind, layout,
-                      {.software = "Sline " SLINE_VERSION,
-                       .profile = layout.isGrey() ? greyProfile() : srgbProfile(),
-                       .xmp = xmpPacket(layout.credit)},
-                      std::make_unique<GrowingTarget>(std::move(*growing)));
+      module->rows(kind, layout,
+                   {.software = "Sline " SLINE_VERSION,
+                    .profile = layout.isGrey() ? greyProfile() : srgbProfile(),
+                    .xmp = xmpPacket(layout.credit)},
+                   std::make_unique<GrowingTarget>(std::move(growing)));
   if (!rows.ok()) {
     Error error = rows.error();
     error.file = file.string();
@@ -185,15 +177,12 @@ Result<std::unique_ptr<RowFile>> rowFile(PixelKind kind, const PixelLayout& layo
     return webpRows(layout, file);
   if (kind != PixelKind::png)
     return moduleRows(kind, layout, file);
-  Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
-  if (!growing.ok())
-    return growing.error();
-  return std::unique_ptr<RowFile>(std::make_unique<PngRowFile>(layout, std::move(*growing)));
+  std::unique_ptr<model::GrowingFile> growing = TRY(model::GrowingFile::create(file));
+  return std::unique_ptr<RowFile>(std::make_unique<PngRowFile>(layout, std::move(growing)));
 }
 
 Status writeImage(const Image& image, const fs::path& file) {
-  if (Status named = checkImageName(file); !named.ok())
-    return named;
+  TRY(checkImageName(file));
   const PixelKind kind = *kindOf(file);
   const PixelLayout layout = layoutFor(image, kind);
   return model::writeBeside(file, [&](const fs::path& target) -> Status {

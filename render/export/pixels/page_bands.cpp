@@ -91,10 +91,8 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   };
   if (!tell(0.0, "preparing surfaces"))
     return givenUp({});
-  const auto overlay = PageOverlay::create(order, bands.size);
-  if (!overlay.ok())
-    return overlay.error();
-  progress.note((*overlay)->notes());
+  const auto overlay = TRY(PageOverlay::create(order, bands.size));
+  progress.note(overlay->notes());
   const Result<HeadlessPicture> picture = HeadlessPicture::create({.deep = bands.deep});
   if (!picture.ok())
     return bands.deep
@@ -107,14 +105,13 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
     return givenUp({});
 
   const int rows = std::clamp(bands.bandSamples / settings.width / bands.samples, 1, bands.size.y);
-  BandWriter writer(bands, rows, **overlay, take);
+  BandWriter writer(bands, rows, *overlay, take);
   const Result<bool> drawn = (*picture)->renderPieces(
       order.scene, order.camera, settings,
       {.bandRows = rows * bands.samples, .grid = bands.samples, .take = [&](PicturePiece&& piece) {
          return writer.add(piece) && tell(0.05 + 0.9 * writer.share(), "drawing");
        }});
-  if (Status written = writer.wait(); !written.ok())
-    return written;
+  TRY(writer.wait());
   if (!drawn.ok())
     return drawn.error();
   return wanted ? Status(Unit{}) : Status(givenUp({}));

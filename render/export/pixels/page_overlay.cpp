@@ -23,11 +23,9 @@ Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& orde
   std::unique_ptr<PageOverlay> overlay(new PageOverlay);
   if (order.bare())
     return overlay;
-  Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
-  if (!made.ok())
-    return made.error();
+  std::unique_ptr<Typesetting> made = TRY(Typesetting::create());
   Data& data = *overlay->m_data;
-  data.typesetting = std::move(*made);
+  data.typesetting = std::move(made);
   data.pixelsPerMm = qreal(pixels.y) / qreal(order.page.sizeMm.y);
   data.plate = figurePlate(order);
   return overlay;

@@ -65,8 +65,7 @@ Status checkOrder(PixelKind kind, const ExportOrder& order, glm::ivec2 size,
 Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesystem::path& target,
                    const ExportProgress& progress) {
   const glm::ivec2 size = pixelsOf(order.page);
-  if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
-    return sound;
+  TRY(checkOrder(kind, order, size, target));
   PixelLayout layout = layoutOf(order, kind, size);
   layout.credit = fileCredit(order);
   const bool ink = isInkAlone(order, kind);
@@ -74,17 +73,13 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order), .deep = layout.bits > 8};
   return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
-    const Result<std::unique_ptr<RowFile>> file = rowFile(kind, layout, beside);
-    if (!file.ok())
-      return file.error();
-    Status drawn = drawBands(
-        order, bands, [&](PixelRows&& rows) { return (*file)->add(packed(rows, layout, ink)); },
-        progress);
-    if (!drawn.ok())
-      return drawn;
+    const std::unique_ptr<RowFile> file = TRY(rowFile(kind, layout, beside));
+    TRY(drawBands(
+        order, bands, [&](PixelRows&& rows) { return file->add(packed(rows, layout, ink)); },
+        progress));
     if (progress && !progress(0.97, "writing the file"))
       return givenUp(target);
-    return (*file)->finish();
+    return file->finish();
   });
 }
 

@@ -6,13 +6,9 @@
 namespace sline::render {
 
 Result<PixelRows> readPicture(const std::filesystem::path& file, const PictureLimits& limits) {
-  const Result<std::string> bytes = model::readText(file, limits.fileBytes);
-  if (!bytes.ok())
-    return bytes.error();
-  const Result<const PixelModule*> module = pixelModule();
-  if (!module.ok())
-    return module.error();
-  Result<PixelRows> rows = (*module)->read(*bytes, limits);
+  const std::string bytes = TRY(model::readText(file, limits.fileBytes));
+  const PixelModule* const module = TRY(pixelModule());
+  Result<PixelRows> rows = module->read(bytes, limits);
   if (rows.ok())
     return rows;
   Error error = rows.error();

@@ -34,8 +34,7 @@ class WebpFile : public RowFile {
     WebPMemoryWriterInit(&packed);
     const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> owner(
         &packed, &WebPMemoryWriterClear);
-    if (const Status done = pack(packed); !done.ok())
-      return done.error();
+    TRY(pack(packed));
     WebPData whole{packed.mem, packed.size};
     const std::string xmp = xmpPacket(m_layout.credit);
     if (xmp.empty())
@@ -76,9 +75,7 @@ class WebpFile : public RowFile {
   }
 
   Status write(const WebPData& bytes) {
-    if (Status added = m_file->add({reinterpret_cast<const char*>(bytes.bytes), bytes.size});
-        !added.ok())
-      return added;
+    TRY(m_file->add({reinterpret_cast<const char*>(bytes.bytes), bytes.size}));
     return m_file->close();
   }
 
@@ -98,10 +95,8 @@ class WebpFile : public RowFile {
 
 Result<std::unique_ptr<RowFile>> webpRows(const PixelLayout& layout,
                                           const std::filesystem::path& file) {
-  Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
-  if (!growing.ok())
-    return growing.error();
-  return std::unique_ptr<RowFile>(std::make_unique<WebpFile>(layout, file, std::move(*growing)));
+  std::unique_ptr<model::GrowingFile> growing = TRY(model::GrowingFile::create(file));
+  return std::unique_ptr<RowFile>(std::make_unique<WebpFile>(layout, file, std::move(growing)));
 }
 
 }  // namespace sline::render

@@ -56,17 +56,14 @@ class Making {
   Result<SlideDeck> make() {
     if (!showsViews(m_order)) {
       const model::View* const view = shownView(m_order);
-      if (const Status added = addView(slideFigure(m_order, view), view, {0.0, 1.0}); !added.ok())
-        return added.error();
+      TRY(addView(slideFigure(m_order, view), view, {0.0, 1.0}));
       addSources();
       return std::move(m_deck);
     }
     const std::vector<model::View>& views = m_order.scene.views();
     for (std::size_t i = 0; i < views.size(); ++i) {
       const Span span{double(i) / double(views.size()), 1.0 / double(views.size())};
-      if (const Status added = addView(slideOfView(m_order, views[i]), &views[i], span);
-          !added.ok())
-        return added.error();
+      TRY(addView(slideOfView(m_order, views[i]), &views[i], span));
     }
     addSources();
     return std::move(m_deck);
@@ -90,10 +87,7 @@ class Making {
       slide.notes = wordsIn(view->words.notes, m_language);
     }
     slide.figure = slideFrames(m_deck.shape, hasText(view, order)).figure;
-    const Result<std::size_t> picture = addPicture(order, span);
-    if (!picture.ok())
-      return picture.error();
-    slide.picture = *picture;
+    slide.picture = TRY(addPicture(order, span));
     const FigurePlate plate = figurePlate(order, m_trees);
     m_progress.note(plate.notes);
     addWritings(slide, order, plate);
@@ -125,24 +119,19 @@ class Making {
       return !m_progress || m_progress(0.95 * (span.from + span.size * share), what);
     };
     ExportNotes notes;
-    Result<std::string> svg = svgText(
-        bare, {},
-        {[&tell](double share, std::string_view what) { return tell(0.7 * share, what); }, &notes});
-    if (!svg.ok())
-      return svg.error();
+    std::string svg = TRY(
+        svgText(bare, {},
+                {[&tell](double share, std::string_view what) { return tell(0.7 * share, what); },
+                 &notes}));
     m_progress.note(notes);
     if (!tell(0.7, "drawing"))
       return givenUp({});
     const glm::ivec2 size = pixelsOf(bare.page);
-    const Result<Image> image = m_painter->render(
+    const Image image = TRY(m_painter->render(
         bare.scene, bare.camera,
-        {.width = size.x, .height = size.y, .environment = bare.environment}, samplesAtOnce(size));
-    if (!image.ok())
-      return image.error();
-    Result<std::string> png = pngOf(*image, bare.credit);
-    if (!png.ok())
-      return png.error();
-    m_deck.pictures.push_back({std::move(*svg), std::move(*png)});
+        {.width = size.x, .height = size.y, .environment = bare.environment}, samplesAtOnce(size)));
+    std::string png = TRY(pngOf(image, bare.credit));
+    m_deck.pictures.push_back({std::move(svg), std::move(png)});
     return m_deck.pictures.size() - 1;
   }
 
@@ -237,13 +226,9 @@ class Making {
 Result<SlideDeck> slideDeck(const ExportOrder& order, const ExportProgress& progress) {
   if (progress && !progress(0.0, "preparing surfaces"))
     return givenUp({});
-  const auto typesetting = Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
-  Result<HeadlessPicture> painter = HeadlessPicture::create();
-  if (!painter.ok())
-    return painter.error();
-  return Making(order, *painter, progress).make();
+  const auto typesetting = TRY(Typesetting::create());  // as long as text is set
+  HeadlessPicture painter = TRY(HeadlessPicture::create());
+  return Making(order, painter, progress).make();
 }
 
 }  // namespace sline::render

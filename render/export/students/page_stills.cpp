@@ -69,31 +69,23 @@ std::string textIn(const WordsByLanguage& words, const std::string& language) {
 Result<std::string> pageStills(const ExportOrder& order, const PageWords& words,
                                const std::vector<WordsByLanguage>& shown,
                                const ExportProgress& progress) {
-  const auto typesetting = Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
-  Result<HeadlessPicture> picture = HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
+  const auto typesetting = TRY(Typesetting::create());
+  HeadlessPicture picture = TRY(HeadlessPicture::create());
   const std::vector<model::View>& views = order.scene.views();
   std::string html;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (progress && !progress(0.3 + 0.5 * double(i) / double(views.size()), "drawing stills"))
       return givenUp({});
     const ExportOrder still = stillOrder(order, views[i], words);
-    Result<Image> image = (*picture)->render(
+    Image image = TRY(picture->render(
         still.scene, still.camera,
-        {.width = stillSize.x, .height = stillSize.y, .environment = still.environment}, 2);
-    if (!image.ok())
-      return image.error();
-    const LabelReport report = drawPlate(*image, still, **typesetting);
-    const Result<std::string> webp = webpOf(*image, stillQuality);
-    if (!webp.ok())
-      return webp.error();
+        {.width = stillSize.x, .height = stillSize.y, .environment = still.environment}, 2));
+    const LabelReport report = drawPlate(image, still, *typesetting);
+    const std::string webp = TRY(webpOf(image, stillQuality));
     const std::string alt = textIn(shown[i], words.language());
     html += "<figure>\n<img width=\"" + std::to_string(stillSize.x) + "\" height=\"" +
             std::to_string(stillSize.y) + "\" alt=\"" + xmlText(alt) +
-            "\" src=\"data:image/webp;base64," + base64(*webp) + "\">\n<figcaption>\n<h2>" +
+            "\" src=\"data:image/webp;base64," + base64(webp) + "\">\n<figcaption>\n<h2>" +
             xmlText(textIn(words.titleOf(views[i]), words.language())) + "</h2>\n" +
             (words.silent() ? std::string() : paragraphs(views[i].words.text, words)) +
             (words.silent() ? std::string() : keyOf(report)) + "</figcaption>\n</figure>\n";

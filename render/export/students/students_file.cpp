@@ -55,8 +55,7 @@ Status writeStudentsFolder(const ExportOrder& order, const fs::path& target,
       return named(page.error(), target);
     progress.note(studentsNotes(order));
     for (const auto& [name, bytes] : page->files)
-      if (Status written = model::writeText(folder / name, bytes); !written.ok())
-        return written;
+      TRY(model::writeText(folder / name, bytes));
     return model::writeText(folder / "index.html", page->html);
   });
 }

@@ -29,12 +29,8 @@ std::string hundredths(float millimetres) {
 
 Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOptions& own,
                                   const ExportProgress& progress) {
-  const Result<PageTemplate> page = pageTemplate();
-  if (!page.ok())
-    return page.error();
-  const auto typesetting = Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
+  const PageTemplate page = TRY(pageTemplate());
+  const auto typesetting = TRY(Typesetting::create());  // as long as text is set
   const auto goesOn = [&progress](double share, const char* what) {
     return !progress || progress(share, what);
   };
@@ -57,19 +53,17 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
   if (!goesOn(0.2, "describing pictures"))
     return givenUp({});
   const std::vector<WordsByLanguage> seen = descriptionsOfViews(shown, words);
-  const Result<std::string> stills = pageStills(shown, words, seen, progress);
-  if (!stills.ok())
-    return stills.error();
+  const std::string stills = TRY(pageStills(shown, words, seen, progress));
   std::vector<PageQuestion> questions = pageQuestions(shown, own, words);
   if (own.quiz != QuizMode::off && questions.empty())
     progress.note({.kind = ExportNote::Kind::quizEmpty, .names = {}, .detail = {}});
   if (!goesOn(0.85, "writing the page"))
     return givenUp({});
   AssembledPage made = assembledPage(
-      *page,
+      page,
       {.language = words.language(),
        .title = words.title(),
-       .stills = *stills,
+       .stills = stills,
        .facts = pageFacts(
            shown, own,
            {.simplifiedMm = simple.errorMm, .views = seen, .questions = std::move(questions)}),

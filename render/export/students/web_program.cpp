@@ -47,10 +47,7 @@ Result<PageTemplate> pageTemplate() {
   for (const auto& [name, text] :
        {std::pair{"page.html", &page.html}, std::pair{"page.css", &page.style},
         std::pair{"page.js", &page.script}, std::pair{"engine.wasm", &page.wasm}}) {
-    Result<std::string> read = part(name);
-    if (!read.ok())
-      return read.error();
-    *text = std::move(*read);
+    *text = TRY(part(name));
   }
   return page;
 }

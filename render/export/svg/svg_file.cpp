@@ -16,11 +16,9 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
   const auto tell = [&](double share, std::string_view what) {
     wanted = wanted && (!progress || progress(share, what));
   };
-  const Result<VectorDrawing> drawing = drawVectors(
+  const VectorDrawing drawing = TRY(drawVectors(
       order.scene, order.camera, {.sizeMm = order.page.sizeMm, .environment = order.environment},
-      [&tell](double share, std::string_view what) { tell(0.9 * share, what); });
-  if (!drawing.ok())
-    return drawing.error();
+      [&tell](double share, std::string_view what) { tell(0.9 * share, what); }));
   tell(0.9, "writing the file");
   if (!wanted)
     return givenUp(target);
@@ -31,7 +29,7 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
   writings.push_back({"marks", "Marks", plate.marks.lettering});
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
-  return svgDocument(*drawing, order.scene, writings, fileCredit(order));
+  return svgDocument(drawing, order.scene, writings, fileCredit(order));
 }
 
 Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,

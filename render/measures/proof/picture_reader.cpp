@@ -183,10 +183,8 @@ PictureReader::PictureReader(std::unique_ptr<Data> data) : m_data(std::move(data
 PictureReader::~PictureReader() = default;
 
 Result<std::unique_ptr<PictureReader>> PictureReader::create() {
-  Result<HeadlessPicture> picture = HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
-  std::unique_ptr<Data> data(new Data{std::move(picture).value(), {}});
+  HeadlessPicture picture = TRY(HeadlessPicture::create());
+  std::unique_ptr<Data> data(new Data{std::move(picture), {}});
   return std::unique_ptr<PictureReader>(new PictureReader(std::move(data)));
 }
 
@@ -194,13 +192,11 @@ Result<SeenPicture> PictureReader::read(const ExportOrder& order, const model::S
   const std::vector<model::ResolvedStructure> structures = visibleOf(scene);
   Grid grid = gridFor(order.page.sizeMm);
   findOwners(order, scene, structures, m_data->trees, grid);
-  const Result<Image> image = m_data->picture->render(scene, order.camera,
-                                                      {.width = cellPixels * grid.columns,
-                                                       .height = cellPixels * grid.rows,
-                                                       .environment = order.environment});
-  if (!image.ok())
-    return image.error();
-  return summedUp(scene, grid, *image, structures);
+  const Image image = TRY(m_data->picture->render(scene, order.camera,
+                                                  {.width = cellPixels * grid.columns,
+                                                   .height = cellPixels * grid.rows,
+                                                   .environment = order.environment}));
+  return summedUp(scene, grid, image, structures);
 }
 
 }  // namespace sline::render

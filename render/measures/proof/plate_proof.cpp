@@ -104,15 +104,10 @@ PlateProof plateProof(const model::Scene& scene, const model::Camera& camera,
 
 Result<PlateProof> plateProof(const model::Scene& scene, const model::Camera& camera,
                               std::span<const model::NodeId> subject, float aspect) {
-  const auto picture = HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
+  const auto picture = TRY(HeadlessPicture::create());
   const int width = std::max(pixelsPerRay, int(std::lround(float(plateHeight) * aspect)));
-  const Result<Image> image =
-      (*picture)->render(scene, camera, {.width = width, .height = plateHeight});
-  if (!image.ok())
-    return image.error();
-  return plateProof(scene, camera, subject, *image);
+  const Image image = TRY(picture->render(scene, camera, {.width = width, .height = plateHeight}));
+  return plateProof(scene, camera, subject, image);
 }
 
 }  // namespace sline::render

@@ -273,20 +273,16 @@ Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& set
   };
   if (!wanted(0.0, "looking at the picture"))
     return givenUp({});
-  const Result<std::unique_ptr<PictureReader>> reader = PictureReader::create();
-  if (!reader.ok())
-    return reader.error();
-  const Result<SeenPicture> first = (*reader)->read(order, order.scene);
-  if (!first.ok())
-    return first.error();
-  PrintProof proof{.neighbours = pairsOf(*first, settings),
+  const std::unique_ptr<PictureReader> reader = TRY(PictureReader::create());
+  const SeenPicture first = TRY(reader->read(order, order.scene));
+  PrintProof proof{.neighbours = pairsOf(first, settings),
                    .proposals = {},
                    .proposed = order.scene,
                    .afterwards = {}};
   proof.afterwards = proof.neighbours;
   const Bar bar(proof.neighbours, settings);
-  Mender mender(bar, *first);
-  SeenPicture now = *first;
+  Mender mender(bar, first);
+  SeenPicture now = first;
   // The chosen changes are looked at; where they do not help, something else is tried. In the end
   // changes that never helped are taken back, and the rest must do without them.
   for (int round = 0; bar.anyFails(proof.afterwards); ++round) {
@@ -296,10 +292,7 @@ Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& set
     if (!chosen && !mender.drop(proof.afterwards))
       break;
     proof.proposed = withProposals(order.scene, mender.proposals());
-    const Result<SeenPicture> look = (*reader)->read(order, proof.proposed);
-    if (!look.ok())
-      return look.error();
-    now = *look;
+    now = TRY(reader->read(order, proof.proposed));
     proof.afterwards = pairsOf(now, settings);
   }
   proof.proposals = mender.proposals();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a cut face in one flat colour, hatched where requested. Depth comes from the plane itself
-// and not from triangles, so that faces of several structures on one plane lie exactly equally
-// deep.
+// Draws a cut face in one flat colour, hatched where requested.
 #include "pen.glsl"
 #include "sections.glsl"
 in vec3 place;
@@ -28,5 +26,5 @@ void main() {
   if (cutAway(place))
     discard;
   fragment = mix(colour, strokeColour, coverage);
-  gl_FragDepth = clamp(dot(depthPlane, vec3(pixelStep * gl_FragCoord.xy + toMiddle, 1.0)), 0.0, 1.0);
+  gl_FragDepth = faceDepth(depthPlane, pixelStep * gl_FragCoord.xy + toMiddle);
 }

@@ -39,11 +39,9 @@ CapGeometry::CapGeometry(std::span<const glm::vec3> points)
 }
 
 Result<std::unique_ptr<CapPass>> CapPass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect, capRecipe());
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect, capRecipe()));
   std::unique_ptr<CapPass> pass(new CapPass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   return pass;
 }
 

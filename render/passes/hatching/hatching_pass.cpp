@@ -92,14 +92,10 @@ HatchingPass::HatchingPass() : m_rectangle({}, nullptr, "rectangle") {}
 
 Result<std::unique_ptr<HatchingPass>> HatchingPass::create(gpu::Dialect dialect) {
   std::unique_ptr<HatchingPass> pass(new HatchingPass);
-  auto field = gpu::Program::create(shaderFiles(), dialect, fieldRecipe());
-  if (!field)
-    return field.error();
-  auto search = gpu::Program::create(shaderFiles(), dialect, searchRecipe());
-  if (!search)
-    return search.error();
-  pass->m_field = std::move(*field);
-  pass->m_search = std::move(*search);
+  auto field = TRY(gpu::Program::create(shaderFiles(), dialect, fieldRecipe()));
+  auto search = TRY(gpu::Program::create(shaderFiles(), dialect, searchRecipe()));
+  pass->m_field = std::move(field);
+  pass->m_search = std::move(search);
   return pass;
 }
 

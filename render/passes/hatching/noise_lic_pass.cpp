@@ -46,14 +46,10 @@ NoiseLicPass::NoiseLicPass() : m_rectangle({}, nullptr, "rectangle") {}
 
 Result<std::unique_ptr<NoiseLicPass>> NoiseLicPass::create(gpu::Dialect dialect) {
   std::unique_ptr<NoiseLicPass> pass(new NoiseLicPass);
-  auto field = gpu::Program::create(shaderFiles(), dialect, noiseFieldRecipe());
-  if (!field)
-    return field.error();
-  auto convolution = gpu::Program::create(shaderFiles(), dialect, convolutionRecipe());
-  if (!convolution)
-    return convolution.error();
-  pass->m_field = std::move(*field);
-  pass->m_convolution = std::move(*convolution);
+  auto field = TRY(gpu::Program::create(shaderFiles(), dialect, noiseFieldRecipe()));
+  auto convolution = TRY(gpu::Program::create(shaderFiles(), dialect, convolutionRecipe()));
+  pass->m_field = std::move(field);
+  pass->m_convolution = std::move(convolution);
   return pass;
 }
 

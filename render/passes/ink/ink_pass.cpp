@@ -164,25 +164,15 @@ InkPass::InkPass()
 
 Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   std::unique_ptr<InkPass> pass(new InkPass);
-  auto sight = gpu::Program::create(shaderFiles(), dialect, sightRecipe());
-  if (!sight)
-    return sight.error();
-  pass->m_sight = std::move(*sight);
-  auto fillUp = gpu::Program::create(shaderFiles(), dialect, fillUpRecipe());
-  if (!fillUp)
-    return fillUp.error();
-  pass->m_fillUp = std::move(*fillUp);
+  pass->m_sight = TRY(gpu::Program::create(shaderFiles(), dialect, sightRecipe()));
+  pass->m_fillUp = TRY(gpu::Program::create(shaderFiles(), dialect, fillUpRecipe()));
   for (std::size_t i = 0; i < inkKindCount; ++i) {
     const auto kind = InkKind(i);
-    auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
-    if (!program)
-      return program.error();
-    pass->m_programs[i] = std::move(*program);
+    auto program = TRY(gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind)));
+    pass->m_programs[i] = std::move(program);
     if (const auto recipe = grainedRecipe(kind)) {
-      auto grained = gpu::Program::create(shaderFiles(), dialect, *recipe);
-      if (!grained)
-        return grained.error();
-      pass->m_grained[i] = std::move(*grained);
+      auto grained = TRY(gpu::Program::create(shaderFiles(), dialect, *recipe));
+      pass->m_grained[i] = std::move(grained);
     }
   }
   return pass;
@@ -197,8 +187,7 @@ Status InkPass::draw(gpu::Device& device, const InkTargets& targets, const InkSu
       const int pieces = inkPieces(stroke);
       for (int piece = 0; piece < pieces; ++piece) {
         if (m_batch.full()) {
-          if (Status s = drawBatch(device, targets, surfaces, queue); !s)
-            return s;
+          TRY(drawBatch(device, targets, surfaces, queue));
           m_batch.clear();
         }
         m_batch.add(draw, pieces == 1 ? stroke : inkPiece(stroke, piece, pieces));
@@ -214,12 +203,9 @@ Status InkPass::drawBatch(gpu::Device& device, const InkTargets& targets,
   m_segments.stream(std::as_bytes(m_batch.vertices()));
   const auto strokes = m_batch.strokeTexels();
   const auto looks = m_batch.lookTexels();
-  if (Status s = makeRoom(InkBatch::rowsOf(strokes), InkBatch::rowsOf(looks)); !s)
-    return s;
-  if (Status s = m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes)); !s)
-    return s;
-  if (Status s = m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks)); !s)
-    return s;
+  TRY(makeRoom(InkBatch::rowsOf(strokes), InkBatch::rowsOf(looks)));
+  TRY(m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes)));
+  TRY(m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks)));
   findSights(device, surfaces.depths, queue);
   for (InkBatch::Run run : m_batch.runs()) {
     const std::size_t end = run.first + run.count;
@@ -248,10 +234,7 @@ Status InkPass::makeRoom(int strokeRows, int lookRows) {
       gpu::TextureFormat::rgba32f, gpu::TextureSize{InkBatch::rowTexels, rows}, "strokes");
   m_sights = std::make_unique<gpu::Texture>(
       gpu::TextureFormat::r32i, gpu::TextureSize{InkBatch::perRow, rows}, "lines in sight");
-  auto target = gpu::Target::create({{m_sights.get()}, nullptr}, "lines in sight");
-  if (!target)
-    return target.error();
-  m_sightTarget = std::move(*target);
+  m_sightTarget = TRY(gpu::Target::create({{m_sights.get()}, nullptr}, "lines in sight"));
   return Unit{};
 }
 

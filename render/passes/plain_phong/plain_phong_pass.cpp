@@ -7,17 +7,15 @@ namespace sline::render::passes {
 
 Result<std::unique_ptr<PlainPhongPass>> PlainPhongPass::create(gpu::Dialect dialect) {
   using gpu::UniformType;
-  auto program = gpu::Program::create(shaderFiles(), dialect,
-                                      {.name = "plain phong",
-                                       .vertexFile = "plain_phong.vert.glsl",
-                                       .fragmentFile = "plain_phong.frag.glsl",
-                                       .uniforms = {{"viewProjection", UniformType::mat4},
-                                                    {"eye", UniformType::vec4},
-                                                    {"colour", UniformType::vec3}}});
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect,
+                                          {.name = "plain phong",
+                                           .vertexFile = "plain_phong.vert.glsl",
+                                           .fragmentFile = "plain_phong.frag.glsl",
+                                           .uniforms = {{"viewProjection", UniformType::mat4},
+                                                        {"eye", UniformType::vec4},
+                                                        {"colour", UniformType::vec3}}}));
   std::unique_ptr<PlainPhongPass> pass(new PlainPhongPass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   return pass;
 }
 

@@ -7,17 +7,15 @@ namespace sline::render::passes {
 
 Result<std::unique_ptr<OverlayPass>> OverlayPass::create(gpu::Dialect dialect) {
   using gpu::UniformType;
-  auto program = gpu::Program::create(shaderFiles(), dialect,
-                                      {.name = "overlay",
-                                       .vertexFile = "wipe.vert.glsl",
-                                       .fragmentFile = "overlay.frag.glsl",
-                                       .uniforms = {{"targetSize", UniformType::vec2},
-                                                    {"colours", UniformType::texture},
-                                                    {"corner", UniformType::ivec2}}});
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect,
+                                          {.name = "overlay",
+                                           .vertexFile = "wipe.vert.glsl",
+                                           .fragmentFile = "overlay.frag.glsl",
+                                           .uniforms = {{"targetSize", UniformType::vec2},
+                                                        {"colours", UniformType::texture},
+                                                        {"corner", UniformType::ivec2}}}));
   std::unique_ptr<OverlayPass> pass(new OverlayPass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   return pass;
 }
 

@@ -91,22 +91,14 @@ ResolvePass::ResolvePass()
                  nullptr, "tiles") {}
 
 Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect, resolveRecipe());
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect, resolveRecipe()));
   std::unique_ptr<ResolvePass> pass(new ResolvePass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   gpu::ProgramRecipe oneRecipe = resolveRecipe();
   oneRecipe.name = "resolve one layer";
   oneRecipe.fragmentFile = "resolve_one.frag.glsl";
-  auto one = gpu::Program::create(shaderFiles(), dialect, oneRecipe);
-  if (!one)
-    return one.error();
-  pass->m_one = std::move(*one);
-  auto outline = gpu::Program::create(shaderFiles(), dialect, outlineRecipe());
-  if (!outline)
-    return outline.error();
-  pass->m_outline = std::move(*outline);
+  pass->m_one = TRY(gpu::Program::create(shaderFiles(), dialect, oneRecipe));
+  pass->m_outline = TRY(gpu::Program::create(shaderFiles(), dialect, outlineRecipe()));
   return pass;
 }
 
@@ -141,8 +133,7 @@ Status ResolvePass::upload(std::span<const ResolveTile> tiles,
     looks[i] = entries[i].look;
     m_hiddenLines = m_hiddenLines || (entries[i].look & hiddenFlag) != 0;
   }
-  if (Status s = m_offsets->upload(std::as_bytes(std::span(offsets)), rows); !s)
-    return s;
+  TRY(m_offsets->upload(std::as_bytes(std::span(offsets)), rows));
   return m_looks->upload(std::as_bytes(std::span(looks)), rows);
 }
 

@@ -7,18 +7,16 @@ namespace sline::render::passes {
 
 Result<std::unique_ptr<EnlargePass>> EnlargePass::create(gpu::Dialect dialect) {
   using gpu::UniformType;
-  auto program = gpu::Program::create(shaderFiles(), dialect,
-                                      {.name = "enlarge",
-                                       .vertexFile = "wipe.vert.glsl",
-                                       .fragmentFile = "enlarge.frag.glsl",
-                                       .uniforms = {{"targetSize", UniformType::vec2},
-                                                    {"colours", UniformType::texture},
-                                                    {"depths", UniformType::texture},
-                                                    {"pixelStep", UniformType::real}}});
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect,
+                                          {.name = "enlarge",
+                                           .vertexFile = "wipe.vert.glsl",
+                                           .fragmentFile = "enlarge.frag.glsl",
+                                           .uniforms = {{"targetSize", UniformType::vec2},
+                                                        {"colours", UniformType::texture},
+                                                        {"depths", UniformType::texture},
+                                                        {"pixelStep", UniformType::real}}}));
   std::unique_ptr<EnlargePass> pass(new EnlargePass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   return pass;
 }
 

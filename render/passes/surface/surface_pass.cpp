@@ -83,10 +83,7 @@ Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
   pass->m_stages = fillStages();
   const auto make = [dialect](std::unique_ptr<gpu::Program>& program,
                               const gpu::ProgramRecipe& recipe) -> Status {
-    auto made = gpu::Program::create(shaderFiles(), dialect, recipe);
-    if (!made)
-      return made.error();
-    program = std::move(*made);
+    program = TRY(gpu::Program::create(shaderFiles(), dialect, recipe));
     return Unit{};
   };
   for (const Status& status :

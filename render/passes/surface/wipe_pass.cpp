@@ -6,15 +6,13 @@
 namespace sline::render::passes {
 
 Result<std::unique_ptr<WipePass>> WipePass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect,
-                                      {.name = "wipe",
-                                       .vertexFile = "wipe.vert.glsl",
-                                       .fragmentFile = "wipe.frag.glsl",
-                                       .uniforms = {{"targetSize", gpu::UniformType::vec2}}});
-  if (!program)
-    return program.error();
+  auto program = TRY(gpu::Program::create(shaderFiles(), dialect,
+                                          {.name = "wipe",
+                                           .vertexFile = "wipe.vert.glsl",
+                                           .fragmentFile = "wipe.frag.glsl",
+                                           .uniforms = {{"targetSize", gpu::UniformType::vec2}}}));
   std::unique_ptr<WipePass> pass(new WipePass);
-  pass->m_program = std::move(*program);
+  pass->m_program = std::move(program);
   return pass;
 }
 

@@ -11,10 +11,7 @@ namespace {
 using Context = std::unique_ptr<gpu::HeadlessContext>;
 
 Status open(Context& place) {
-  auto context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  place = std::move(*context);
+  place = TRY(gpu::HeadlessContext::create());
   return Unit{};
 }
 
@@ -34,17 +31,13 @@ Result<HeadlessPicture> HeadlessPicture::create(const PictureOptions& options) {
     if (!opened.ok() && asked)
       return opened.error();
     if (opened.ok()) {
-      auto picture = Picture::create(options);
-      if (!picture.ok())
-        return picture.error();
-      made.m_picture = std::move(*picture);
+      made.m_picture = TRY(Picture::create(options));
       return made;
     }
   }
   made.m_picture = Picture::withoutDriver(
       options, [place = made.m_context]() -> Result<std::unique_ptr<gpu::Device>> {
-        if (Status opened = open(*place); !opened.ok())
-          return opened.error();
+        TRY(open(*place));
         return gpu::Device::create();
       });
   return made;

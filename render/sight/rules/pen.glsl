@@ -30,13 +30,22 @@ RULE NUMBER penOutside(NUMBER halfWidth) {
 }
 
 #ifndef NUMBER_IS_WIDE
-// Returns the coverage by strokes along whole stripe numbers, of which the odd ones are that share
-// as wide; `perPixel` is how many stripes a pixel holds.
-RULE float stripeCoverage(float stripe, float perPixel, float halfWidth, float oddShare) {
+// Strokes of cut faces run along whole stripe numbers, of which the odd ones enter and are that
+// share as wide. These return whether the nearest one is odd (1 or 0), half of its width and how
+// many pixels away it is; `perPixel` is how many stripes a pixel holds.
+RULE float stripeIsOdd(float stripe) {
   float nearest = floor(stripe + 0.5f);
-  float odd = nearest - 2.0f * floor(0.5f * nearest);
-  float width = halfWidth * (1.0f - odd * (1.0f - oddShare));
-  float away = abs(stripe - nearest) / max(perPixel, 1e-6f);
-  return penCoverage(penHalfWidth(width), away, 1.0f) * penOpacity(width);
+  return nearest - 2.0f * floor(0.5f * nearest);
+}
+RULE float stripeHalfWidth(float stripe, float halfWidth, float oddShare) {
+  return halfWidth * (1.0f - stripeIsOdd(stripe) * (1.0f - oddShare));
+}
+RULE float stripeAway(float stripe, float perPixel) {
+  return abs(stripe - floor(stripe + 0.5f)) / max(perPixel, 1e-6f);
+}
+// Returns the coverage by such strokes.
+RULE float stripeCoverage(float stripe, float perPixel, float halfWidth, float oddShare) {
+  float width = stripeHalfWidth(stripe, halfWidth, oddShare);
+  return penCoverage(penHalfWidth(width), stripeAway(stripe, perPixel), 1.0f) * penOpacity(width);
 }
 #endif

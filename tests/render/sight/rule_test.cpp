@@ -132,6 +132,16 @@ void RuleTest::shadersAgree_data() {
                             rule::stripeCoverage(7.0f * x, y, 0.7f, 1.0f),
                             rule::stripeCoverage(-7.0f * x, 0.3f, 1.0f, y), 1.0f);
          });
+  QTest::newRow("cuts")
+      << "vec4(takesAway(vec4(0.6, 0.8, 0.0, -0.7), vec3(x, y, 5.0)) ? 1.0 : 0.0, "
+         "faceDepth(vec3(0.004, -0.002, 0.4), vec2(300.0 * x, 300.0 * y)), "
+         "stripeIsOdd(9.0 * x - 4.0), stripeAway(5.0 * x, 0.1 + y) / 5.0)"
+      << Values([](float x, float y) {
+           return glm::vec4(rule::takesAway({0.6f, 0.8f, 0.0f, -0.7f}, {x, y, 5.0f}) ? 1.0f : 0.0f,
+                            rule::faceDepth({0.004f, -0.002f, 0.4f}, {300.0f * x, 300.0f * y}),
+                            rule::stripeIsOdd(9.0f * x - 4.0f),
+                            rule::stripeAway(5.0f * x, 0.1f + y) / 5.0f);
+         });
   QTest::newRow("layers") << "vec4(laidBehind(x, y, 0.5), hiddenCoverage(x), "
                              "liesBefore(x, 1.0, y, 2.0) ? 1.0 : 0.0, "
                              "liesBefore(x, 2.0, x, floor(2.9 * y + 0.06)) ? 1.0 : 0.0)"
@@ -189,8 +199,8 @@ void RuleTest::shadersAgree_data() {
 void RuleTest::shadersAgree() {
   QFETCH(QString, shader);
   QFETCH(Values, values);
-  const std::array<const char*, 6> rules{"depth.glsl", "grain.glsl", "layers.glsl",
-                                         "pen.glsl",   "shade.glsl", "sight.glsl"};
+  const std::array<const char*, 7> rules{"cuts.glsl", "depth.glsl", "grain.glsl", "layers.glsl",
+                                         "pen.glsl",  "shade.glsl", "sight.glsl"};
   std::array<std::string, rules.size()> texts;
   std::vector<gpu::ShaderFile> files;
   std::string includes;

@@ -28,13 +28,9 @@ class GltfReader {
       : m_source(source), m_document(document) {}
 
   Result<RawMeshes> read() {
-    const Result<std::vector<GltfInstance>> instances = meshInstances(m_document);
-    if (!instances)
-      return instances.error();
-    for (const GltfInstance& instance : *instances) {
-      const Status status = readMesh(instance);
-      if (!status)
-        return status.error();
+    const std::vector<GltfInstance> instances = TRY(meshInstances(m_document));
+    for (const GltfInstance& instance : instances) {
+      TRY(readMesh(instance));
     }
     if (m_result.meshes.empty())
       return m_source.whole(m_result.warnings.empty()
@@ -56,9 +52,7 @@ class GltfReader {
       warn(place, "its skin is left out; it stands as it was bound");
     for (std::size_t i = 0; i < primitives->size(); ++i) {
       const std::string where = place + "." + placeOf("primitives", i);
-      Status status = readPrimitive((*primitives)[i], instance, where);
-      if (!status)
-        return status;
+      TRY(readPrimitive((*primitives)[i], instance, where));
     }
     return Unit{};
   }
@@ -95,17 +89,13 @@ class GltfReader {
     if (!accessor)
       return m_source.at(where, "has no POSITION");
     if (!m_positions.contains(*accessor)) {
-      Result<std::vector<glm::vec3>> read = readPositions(m_document, *accessor);
-      if (!read)
-        return read.error();
-      m_positions.emplace(*accessor, std::move(read).value());
+      std::vector<glm::vec3> read = TRY(readPositions(m_document, *accessor));
+      m_positions.emplace(*accessor, std::move(read));
     }
     const std::vector<glm::vec3>& positions = m_positions.at(*accessor);
-    Result<std::vector<std::uint32_t>> indices = cornersOf(primitive, positions.size(), where);
-    if (!indices)
-      return indices.error();
+    std::vector<std::uint32_t> indices = TRY(cornersOf(primitive, positions.size(), where));
     RawMesh mesh = opened(primitive, instance);
-    mesh.triangles = cut(*indices, Mode(mode));
+    mesh.triangles = cut(indices, Mode(mode));
     keepUsed(positions, m_scratch[*accessor], mesh);
     place(mesh, instance.toScene);
     return finish(m_source, std::move(mesh), m_result);
@@ -115,15 +105,12 @@ class GltfReader {
   Status readPacked(const Json& primitive, const Json& packed, const GltfInstance& instance,
                     const std::string& where) {
     if (!m_unpacked.contains(&packed)) {
-      Result<GltfUnpackedMesh> read = unpackMesh(m_document, packed, where);
-      if (!read)
-        return read.error();
-      m_unpacked.emplace(&packed, std::move(read).value());
+      GltfUnpackedMesh read = TRY(unpackMesh(m_document, packed, where));
+      m_unpacked.emplace(&packed, std::move(read));
     }
     const GltfUnpackedMesh& unpacked = m_unpacked.at(&packed);
     const std::vector<glm::vec3>& positions = unpacked.positions;
-    if (const Status granted = grant(unpacked.corners.size(), where); !granted)
-      return granted.error();
+    TRY(grant(unpacked.corners.size(), where));
     RawMesh mesh = opened(primitive, instance);
     mesh.triangles = cut(unpacked.corners, Mode::triangles);
     std::vector<std::uint32_t> scratch;
@@ -147,18 +134,15 @@ class GltfReader {
                                                const std::string& where) {
     std::vector<std::uint32_t> corners;
     if (const Json* accessor = member(primitive, "indices")) {
-      Result<std::vector<std::uint32_t>> read = readIndices(
-          m_document, accessor->is_number_unsigned() ? accessor->get<std::uint64_t>() : UINT64_MAX);
-      if (!read)
-        return read;
-      corners = std::move(read).value();
+      corners = TRY(readIndices(m_document, accessor->is_number_unsigned()
+                                                ? accessor->get<std::uint64_t>()
+                                                : UINT64_MAX));
     } else {
       corners.resize(vertices);
       for (std::size_t i = 0; i < vertices; ++i)
         corners[i] = std::uint32_t(i);
     }
-    if (const Status granted = grant(corners.size(), where); !granted)
-      return granted.error();
+    TRY(grant(corners.size(), where));
     for (const std::uint32_t v : corners)
       if (v >= vertices)
         return m_source.at(where, "index " + std::to_string(v) + " is beyond its " +
@@ -233,18 +217,14 @@ Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& 
 
 Result<RawMeshes> readGltfWith(const GltfDecoders& decoders, const std::filesystem::path& file,
                                const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
+  const Source source = TRY(Source::read(file, limits));
   try {
-    Result<GltfDocument> document = openGltf(*source);
-    if (!document)
-      return document.error();
-    document->decoders = decoders;
-    loadBuffers(*document);
-    return GltfReader(*source, *document).read();
+    GltfDocument document = TRY(openGltf(source));
+    document.decoders = decoders;
+    loadBuffers(document);
+    return GltfReader(source, document).read();
   } catch (const Json::exception& e) {
-    return source->whole(std::string("its JSON is not as glTF wants it: ") + e.what());
+    return source.whole(std::string("its JSON is not as glTF wants it: ") + e.what());
   }
 }
 

@@ -58,16 +58,14 @@ Result<ViewBytes> unpackedView(GltfDocument& document, std::uint64_t index, cons
   const std::uint64_t count = wholeMember(packed, "count").value_or(0);
   if (const auto known = document.unpacked.find(index); known != document.unpacked.end())
     return ViewBytes{known->second, stride};
-  const Result<std::string_view> bytes = bytesIn(document, packed, place);
-  if (!bytes)
-    return bytes.error();
+  const std::string_view bytes = TRY(bytesIn(document, packed, place));
   if (stride < 1 || stride > 256 || count > document.budget / stride)
     return source.at(place, "promises " + std::to_string(count) + " elements of " +
                                 std::to_string(stride) +
                                 " bytes, far more than a file of this size describes");
   document.budget -= count * stride;
   Result<std::string> unpacked =
-      document.decoders.view({*bytes, std::size_t(count), std::size_t(stride),
+      document.decoders.view({bytes, std::size_t(count), std::size_t(stride),
                               textMember(packed, "mode"), textMember(packed, "filter")});
   if (!unpacked)
     return source.at(place, unpacked.error().reason);
@@ -77,10 +75,8 @@ Result<ViewBytes> unpackedView(GltfDocument& document, std::uint64_t index, cons
 Result<ViewBytes> viewBytes(GltfDocument& document, std::uint64_t index, const Json& view) {
   if (const Json* packed = extension(view, "EXT_meshopt_compression"))
     return unpackedView(document, index, *packed);
-  const Result<std::string_view> bytes = bytesIn(document, view, placeOf("bufferViews", index));
-  if (!bytes)
-    return bytes.error();
-  return ViewBytes{*bytes, wholeMember(view, "byteStride").value_or(0)};
+  const std::string_view bytes = TRY(bytesIn(document, view, placeOf("bufferViews", index)));
+  return ViewBytes{bytes, wholeMember(view, "byteStride").value_or(0)};
 }
 
 Result<Strided> locate(GltfDocument& document, const Placement& wanted) {
@@ -89,21 +85,19 @@ Result<Strided> locate(GltfDocument& document, const Placement& wanted) {
   const Json* json = element(document.root, "bufferViews", viewIndex);
   if (!json)
     return source.at(wanted.place, "refers to a bufferView that does not exist");
-  const Result<ViewBytes> view = viewBytes(document, viewIndex, *json);
-  if (!view)
-    return view.error();
+  const ViewBytes view = TRY(viewBytes(document, viewIndex, *json));
   const std::uint64_t stride =
-      wanted.mayStride && view->stride > 0 ? view->stride : wanted.elementBytes;
+      wanted.mayStride && view.stride > 0 ? view.stride : wanted.elementBytes;
   if (stride < wanted.elementBytes || stride > 256)
     return source.at(placeOf("bufferViews", viewIndex),
                      "its byteStride " + std::to_string(stride) + " does not fit the element");
   const std::uint64_t offset = wholeMember(wanted.owner, "byteOffset").value_or(0);
-  const std::uint64_t room = offset > view->bytes.size() ? 0 : view->bytes.size() - offset;
+  const std::uint64_t room = offset > view.bytes.size() ? 0 : view.bytes.size() - offset;
   if (wanted.count > 0 &&
       (room < wanted.elementBytes || wanted.count - 1 > (room - wanted.elementBytes) / stride))
     return source.at(wanted.place, "promises " + std::to_string(wanted.count) +
                                        " elements, more than its bufferView holds");
-  return Strided{view->bytes.data() + offset, std::size_t(stride)};
+  return Strided{view.bytes.data() + offset, std::size_t(stride)};
 }
 
 /// Holds what an accessor says about itself.
@@ -186,20 +180,16 @@ Status applySparse(GltfDocument& document, const Accessor& accessor, std::vector
   const auto type = componentType(indices ? wholeMember(*indices, "componentType").value_or(0) : 0);
   if (!indices || !replacing || !count || !type || *type == ScalarType::float32)
     return document.source.at(place, "lacks indices, values or count");
-  const Result<Strided> at =
-      locate(document, {*indices, *count, sizeOf(*type), place + ".indices", false});
-  if (!at)
-    return at.error();
-  const Result<Strided> from =
-      locate(document, {*replacing, *count, accessor.elementBytes(), place + ".values", false});
-  if (!from)
-    return from.error();
+  const Strided at =
+      TRY(locate(document, {*indices, *count, sizeOf(*type), place + ".indices", false}));
+  const Strided from = TRY(
+      locate(document, {*replacing, *count, accessor.elementBytes(), place + ".values", false}));
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::int64_t target = loadInteger(*type, at->first + i * at->stride, swapBytes);
+    const std::int64_t target = loadInteger(*type, at.first + i * at.stride, swapBytes);
     if (target < 0 || std::uint64_t(target) >= values.size())
       return document.source.at(place, "replaces element " + std::to_string(target) + " of " +
                                            std::to_string(values.size()));
-    values[std::size_t(target)] = load(accessor, from->first + i * from->stride);
+    values[std::size_t(target)] = load(accessor, from.first + i * from.stride);
   }
   return Unit{};
 }
@@ -208,13 +198,11 @@ template <class T, class Load>
 Result<std::vector<T>> readAll(GltfDocument& document, const Accessor& accessor, const Load& load) {
   std::vector<T> values;
   if (member(accessor.json, "bufferView")) {
-    const Result<Strided> at = locate(
-        document, {accessor.json, accessor.count, accessor.elementBytes(), accessor.place, true});
-    if (!at)
-      return at.error();
+    const Strided at = TRY(locate(
+        document, {accessor.json, accessor.count, accessor.elementBytes(), accessor.place, true}));
     values.reserve(std::size_t(accessor.count));
     for (std::size_t i = 0; i < accessor.count; ++i)
-      values.push_back(load(accessor, at->first + i * at->stride));
+      values.push_back(load(accessor, at.first + i * at.stride));
   } else {
     // Without a view all elements are zero until the sparse part replaces them.
     if (accessor.count > document.source.size())
@@ -222,8 +210,7 @@ Result<std::vector<T>> readAll(GltfDocument& document, const Accessor& accessor,
                                                     " elements and holds no data for them");
     values.resize(std::size_t(accessor.count));
   }
-  if (const Status status = applySparse(document, accessor, values, load); !status)
-    return status.error();
+  TRY(applySparse(document, accessor, values, load));
   return values;
 }
 }  // namespace
@@ -237,30 +224,24 @@ Result<GltfUnpackedMesh> unpackMesh(GltfDocument& document, const Json& packed,
   const auto positions = attributes ? wholeMember(*attributes, "POSITION") : std::nullopt;
   if (!view || !positions || *positions > UINT32_MAX)
     return source.at(place, "lacks the bufferView or the POSITION of its compressed mesh");
-  const Result<ViewBytes> bytes = viewBytes(document, index, *view);
-  if (!bytes)
-    return bytes.error();
+  const ViewBytes bytes = TRY(viewBytes(document, index, *view));
   Result<GltfUnpackedMesh> mesh =
-      document.decoders.mesh({bytes->bytes, std::uint32_t(*positions), source.limits()});
+      document.decoders.mesh({bytes.bytes, std::uint32_t(*positions), source.limits()});
   if (!mesh)
     return source.at(place, mesh.error().reason);
   return mesh;
 }
 
 Result<std::vector<glm::vec3>> readPositions(GltfDocument& document, std::uint64_t accessor) {
-  const Result<Accessor> described = describe(document, accessor, "VEC3", 3);
-  if (!described)
-    return described.error();
-  return readAll<glm::vec3>(document, *described, positionAt);
+  const Accessor described = TRY(describe(document, accessor, "VEC3", 3));
+  return readAll<glm::vec3>(document, described, positionAt);
 }
 
 Result<std::vector<std::uint32_t>> readIndices(GltfDocument& document, std::uint64_t accessor) {
-  const Result<Accessor> described = describe(document, accessor, "SCALAR", 1);
-  if (!described)
-    return described.error();
-  if (described->type == ScalarType::float32)
-    return document.source.at(described->place, "holds real numbers where indices should stand");
-  return readAll<std::uint32_t>(document, *described, indexAt);
+  const Accessor described = TRY(describe(document, accessor, "SCALAR", 1));
+  if (described.type == ScalarType::float32)
+    return document.source.at(described.place, "holds real numbers where indices should stand");
+  return readAll<std::uint32_t>(document, described, indexAt);
 }
 
 }  // namespace sline::model

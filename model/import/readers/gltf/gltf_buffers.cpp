@@ -158,8 +158,7 @@ Result<GltfDocument> openGltf(const Source& source) {
   GltfDocument document{source, {}, {}, {}, 64 * std::uint64_t(source.size()) + (64u << 20)};
   if (json.starts_with("glTF")) {
     json = {};
-    if (const Status status = splitGlb(source, json, document.binary); !status)
-      return status.error();
+    TRY(splitGlb(source, json, document.binary));
   }
   try {
     document.root = Json::parse(json.begin(), json.end());

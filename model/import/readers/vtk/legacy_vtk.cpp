@@ -18,14 +18,12 @@ class LegacyParser {
       : m_file{source, TextCursor(source.text()), false, 0, {}, {}} {}
 
   Result<RawMeshes> parse() {
-    if (const Status status = readHeader(); !status)
-      return status.error();
+    TRY(readHeader());
     while (!m_done) {
       const std::string_view keyword = m_file.next();
       if (keyword.empty())
         break;
-      if (const Status status = readSection(keyword); !status)
-        return status.error();
+      TRY(readSection(keyword));
     }
     if (!m_hasPoints)
       return m_file.source.whole("has no POINTS");
@@ -199,11 +197,9 @@ class LegacyParser {
       return Unit{};
     std::vector<std::int64_t> offsets;
     std::vector<std::int64_t> corners;
-    if (Status status = readIntegers("OFFSETS", offsetCount, offsets); !status)
-      return status;
+    TRY(readIntegers("OFFSETS", offsetCount, offsets));
     const char* at = m_file.at.at();
-    if (Status status = readIntegers("CONNECTIVITY", cornerCount, corners); !status)
-      return status;
+    TRY(readIntegers("CONNECTIVITY", cornerCount, corners));
     for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
       if (offsets[i] < 0 || offsets[i + 1] < offsets[i] ||
           std::uint64_t(offsets[i + 1]) > cornerCount)
@@ -288,10 +284,8 @@ class LegacyParser {
 }  // namespace
 
 Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  return LegacyParser(*source).parse();
+  const Source source = TRY(Source::read(file, limits));
+  return LegacyParser(source).parse();
 }
 
 }  // namespace sline::model

@@ -198,8 +198,7 @@ Status readField(LegacyVtk& file) {
     if (file.at.atEnd())
       return file.wrong(file.at.end(), "FIELD promises " + std::to_string(*arrays) +
                                            " arrays, the file ends after " + std::to_string(i));
-    if (Status status = readFieldArray(file); !status)
-      return status;
+    TRY(readFieldArray(file));
   }
   return Unit{};
 }
@@ -220,8 +219,7 @@ Status skipAttributes(LegacyVtk& file) {
       continue;
     }
     if (equalsIgnoringCase(keyword, "field")) {
-      if (Status status = readField(file); !status)
-        return status;
+      TRY(readField(file));
       continue;
     }
     if (equalsIgnoringCase(keyword, "lookup_table")) {

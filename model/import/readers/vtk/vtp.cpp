@@ -17,9 +17,7 @@ class VtpReader {
   Result<RawMeshes> read() {
     std::vector<ImportWarning> warnings;
     for (const VtpPiece& piece : m_document.pieces) {
-      Status status = readPiece(piece);
-      if (!status)
-        return status.error();
+      TRY(readPiece(piece));
       if (piece.hasLines && warnings.empty())
         warnings.push_back(
             m_source.warning("Verts and Lines are left out; only polygons are read"));
@@ -80,11 +78,9 @@ class VtpReader {
   Status readPoints(const VtpPiece& piece) {
     if (piece.points == 0)
       return Unit{};
-    const Result<const VtpArray*> array = arrayOf(piece, "Points", {}, 3 * piece.points);
-    if (!array)
-      return array.error();
-    const ScalarType type = (*array)->content.type;
-    return withValues(**array, 3 * piece.points, [&](auto& values) {
+    const VtpArray* const array = TRY(arrayOf(piece, "Points", {}, 3 * piece.points));
+    const ScalarType type = array->content.type;
+    return withValues(*array, 3 * piece.points, [&](auto& values) {
       for (std::uint64_t i = 0; i < piece.points; ++i) {
         glm::vec3 p(0.0f);
         if (!values.number(type, p.x) || !values.number(type, p.y) || !values.number(type, p.z))
@@ -111,27 +107,23 @@ class VtpReader {
   Status readCells(const VtpPiece& piece, const std::string& section, std::uint64_t count) {
     if (count == 0)
       return Unit{};
-    const Result<const VtpArray*> offsetArray = arrayOf(piece, section, "offsets", count);
-    if (!offsetArray)
-      return offsetArray.error();
+    const VtpArray* const offsetArray = TRY(arrayOf(piece, section, "offsets", count));
     std::vector<std::int64_t> offsets;
-    Status status = readIntegers(**offsetArray, count, offsets);
+    Status status = readIntegers(*offsetArray, count, offsets);
     if (!status)
       return status;
     std::int64_t end = 0;
     for (const std::int64_t offset : offsets) {
       if (offset < end)
-        return m_source.atLine((*offsetArray)->place, "the offsets of " + section + " fall");
+        return m_source.atLine(offsetArray->place, "the offsets of " + section + " fall");
       end = offset;
     }
-    const Result<const VtpArray*> cornerArray =
-        arrayOf(piece, section, "connectivity", std::uint64_t(end));
-    if (!cornerArray)
-      return cornerArray.error();
+    const VtpArray* const cornerArray =
+        TRY(arrayOf(piece, section, "connectivity", std::uint64_t(end)));
     std::vector<std::int64_t> corners;
-    status = readIntegers(**cornerArray, std::uint64_t(end), corners);
+    status = readIntegers(*cornerArray, std::uint64_t(end), corners);
     if (status)
-      addCells(offsets, corners, section == "Strips", (*cornerArray)->place);
+      addCells(offsets, corners, section == "Strips", cornerArray->place);
     return status;
   }
 
@@ -188,13 +180,9 @@ class VtpReader {
 }  // namespace
 
 Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  const Result<VtpDocument> document = scanVtp(*source);
-  if (!document)
-    return document.error();
-  return VtpReader(*source, *document).read();
+  const Source source = TRY(Source::read(file, limits));
+  const VtpDocument document = TRY(scanVtp(source));
+  return VtpReader(source, document).read();
 }
 
 }  // namespace sline::model

@@ -40,8 +40,7 @@ class VtpScanner {
     }
     if (const std::optional<Error> error = incomplete(tags.failure()))
       return *error;
-    if (const Status status = locateAll(); !status)
-      return status.error();
+    TRY(locateAll());
     return std::move(m_document);
   }
 
@@ -190,10 +189,7 @@ class VtpScanner {
     std::size_t next = 0;
     for (VtpPiece& piece : m_document.pieces)
       for (VtpArray& array : piece.arrays) {
-        Result<VtpContent> content = contentOf(m_tags[next++]);
-        if (!content)
-          return content.error();
-        array.content = *content;
+        array.content = TRY(contentOf(m_tags[next++]));
       }
     if (m_space) {
       const Result<VtpContent> content = contentOf(*m_space);

@@ -61,8 +61,7 @@ class X3dReader {
     while (!waiting.empty()) {
       const X3dVisit visit = std::move(waiting.back());
       waiting.pop_back();
-      if (const Status done = visitNode(visit, waiting); !done)
-        return done.error();
+      TRY(visitNode(visit, waiting));
     }
     if (m_result.meshes.empty())
       return m_source.whole(m_result.warnings.empty()
@@ -148,8 +147,8 @@ class X3dReader {
                        [&](const X3dGeometry& known) { return known.type == child->type; });
       if (kind == x3dGeometries.end())
         warnOnce("shapes of kind " + inQuotes(child->type) + " are left out");
-      else if (const Status added = addGeometry(*child, *kind, visit); !added)
-        return added.error();
+      else
+        TRY(addGeometry(*child, *kind, visit));
     }
     return Unit{};
   }
@@ -170,9 +169,7 @@ class X3dReader {
     const FaceList faces = facesIn(node, kind, positions.size());
     CutTally tally;
     cutFaces({faces, 0, faces.size()}, positions, mesh.triangles, tally);
-    if (const Status judged = judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings);
-        !judged)
-      return judged.error();
+    TRY(judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings));
     std::vector<std::uint32_t> scratch;
     keepUsed(positions, scratch, mesh);
     // A mirroring transform turns surfaces inside out, so the triangles are turned as well.
@@ -223,21 +220,17 @@ class X3dReader {
 }  // namespace
 
 Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Result<Source> source = Source::read(file, limits);
-  if (!source)
-    return source.error();
-  const std::string_view text = source->text();
+  const Source source = TRY(Source::read(file, limits));
+  const std::string_view text = source.text();
   if (text.starts_with("#VRML V1"))
-    return source->whole("is VRML 1.0, of which only 2.0 (VRML97) is read",
-                         "Export it as VRML97 or X3D");
+    return source.whole("is VRML 1.0, of which only 2.0 (VRML97) is read",
+                        "Export it as VRML97 or X3D");
   const bool classic = text.starts_with("#VRML") || text.starts_with("#X3D");
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   if (!classic && (first == std::string_view::npos || text[first] != '<'))
-    return source->whole("begins neither with #VRML V2.0 nor with #X3D nor as XML");
-  const Result<X3dDocument> document = classic ? parseX3dClassic(*source) : parseX3dXml(*source);
-  if (!document)
-    return document.error();
-  return X3dReader(*source, *document).read();
+    return source.whole("begins neither with #VRML V2.0 nor with #X3D nor as XML");
+  const X3dDocument document = TRY(classic ? parseX3dClassic(source) : parseX3dXml(source));
+  return X3dReader(source, document).read();
 }
 
 }  // namespace sline::model

@@ -42,8 +42,7 @@ class X3dClassicParser {
       } else if (token == "ROUTE") {
         next(), next(), next();
       } else if (peek() == "{" || token == "DEF" || token == "USE") {
-        if (const Status read = readNode(token, nullptr, 0); !read)
-          return read.error();
+        TRY(readNode(token, nullptr, 0));
       } else if (isBracket(token[0])) {
         return m_source.atLine(token.data(), inQuotes(token) + " stands where a node should");
       }
@@ -156,8 +155,8 @@ class X3dClassicParser {
         next(), next(), next();
       else if (key == "PROTO" || key == "EXTERNPROTO")
         skipPrototype();
-      else if (const Status read = readField(key, node, depth); !read)
-        return read.error();
+      else
+        TRY(readField(key, node, depth));
     }
     return Unit{};
   }
@@ -188,8 +187,7 @@ class X3dClassicParser {
         return m_source.atLine(begin, "a list is not closed");
       if (isValue(item))
         continue;
-      if (const Status read = readNode(item, &node, depth + 1); !read)
-        return read.error();
+      TRY(readNode(item, &node, depth + 1));
     }
     node.fields.emplace_back(key, std::string_view(begin, std::size_t(m_at - 1 - begin)));
     return Unit{};

@@ -44,8 +44,7 @@ class X3dXmlParser {
         if (cursor.number(metres))
           m_document.metresPerUnit = metres;
       }
-    if (const Status built = build(root.child("Scene")); !built)
-      return built.error();
+    TRY(build(root.child("Scene")));
     return std::move(m_document);
   }
 

@@ -54,14 +54,10 @@ class MetaImageReader {
       : m_source(source), m_options(options) {}
 
   Result<VolumeFile> read() {
-    if (const Status status = readLines(); !status)
-      return status.error();
-    if (const Status status = readLayout(); !status)
-      return status.error();
-    if (const Status status = readPlace(); !status)
-      return status.error();
-    if (const Status status = findData(); !status)
-      return status.error();
+    TRY(readLines());
+    TRY(readLayout());
+    TRY(readPlace());
+    TRY(findData());
     m_file.unitReason = "MetaImage is in millimetres";
     m_file.names = [file = m_source.file(), limits = m_options.limits](const LabelVolume&,
                                                                        std::size_t) {
@@ -195,10 +191,8 @@ class MetaImageReader {
         return m_source.at("ElementDataFile",
                            "refers to " + inQuotes(name) + ", which is outside the header's folder",
                            "Put the data beside the header and name only the file");
-      Result<Source> data = Source::readStored(*file, m_options.limits);
-      if (!data)
-        return data.error();
-      m_file.sources.push_back(std::make_shared<const Source>(std::move(*data)));
+      Source data = TRY(Source::readStored(*file, m_options.limits));
+      m_file.sources.push_back(std::make_shared<const Source>(std::move(data)));
       m_file.stored.file = m_file.sources.back()->file();
       m_file.stored.bytes = m_file.sources.back()->text();
     }
@@ -222,10 +216,8 @@ class MetaImageReader {
 }  // namespace
 
 Result<VolumeFile> openMetaImage(const std::filesystem::path& file, const ReadOptions& options) {
-  Result<Source> source = Source::readStored(file, options.limits);
-  if (!source)
-    return source.error();
-  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Source source = TRY(Source::readStored(file, options.limits));
+  const auto kept = std::make_shared<const Source>(std::move(source));
   Result<VolumeFile> volume = MetaImageReader(*kept, options).read();
   if (volume)
     volume->sources.push_back(kept);

@@ -134,8 +134,7 @@ class MghReader {
         number<std::int32_t>(0) != 1)
       return m_source.atByte(m_source.begin(), "does not begin like a volume of FreeSurfer (MGH)",
                              "Export it as .mgz again, or give the file the extension of its kind");
-    if (const Status status = readLayout(); !status)
-      return status.error();
+    TRY(readLayout());
     readPlace();
     m_file.names = [layout = m_file.layout, stored = m_file.stored, limits = m_options.limits](
                        const LabelVolume& volume, std::size_t) {
@@ -228,10 +227,8 @@ class MghReader {
 }  // namespace
 
 Result<VolumeFile> openMgh(const std::filesystem::path& file, const ReadOptions& options) {
-  Result<Source> source = Source::readStored(file, options.limits);
-  if (!source)
-    return source.error();
-  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Source source = TRY(Source::readStored(file, options.limits));
+  const auto kept = std::make_shared<const Source>(std::move(source));
   Result<VolumeFile> volume = MghReader(*kept, options).read();
   if (volume)
     volume->sources.push_back(kept);

@@ -28,10 +28,8 @@ class MincReader {
     if (found == m_header.variables.end())
       return m_source.whole("is netCDF without a variable 'image', so not MINC");
     const NetcdfVariable& image = found->second;
-    if (const Status placed = readAxes(image); !placed)
-      return placed.error();
-    if (const Status scaled = readScale(image); !scaled)
-      return scaled.error();
+    TRY(readAxes(image));
+    TRY(readScale(image));
     const bool isSigned = image.text("signtype").starts_with("signed");
     m_file.layout.type = withSign(image.values.type, isSigned);
     m_file.layout.order = std::endian::big;
@@ -143,17 +141,13 @@ class MincReader {
 }  // namespace
 
 Result<VolumeFile> openMinc(const std::filesystem::path& file, const ReadOptions& options) {
-  Result<Source> source = Source::read(file, options.limits);
-  if (!source)
-    return source.error();
-  if (source->text().starts_with("\x89HDF"))
-    return source->whole("is MINC 2 (HDF5), of which only MINC 1 is read",
-                         "Convert it to MINC 1 (mincconvert) or NIfTI (mnc2nii)");
-  const auto kept = std::make_shared<const Source>(std::move(*source));
-  const Result<NetcdfHeader> header = readNetcdfHeader(*kept);
-  if (!header)
-    return header.error();
-  Result<VolumeFile> volume = MincReader(*kept, *header, options).read();
+  Source source = TRY(Source::read(file, options.limits));
+  if (source.text().starts_with("\x89HDF"))
+    return source.whole("is MINC 2 (HDF5), of which only MINC 1 is read",
+                        "Convert it to MINC 1 (mincconvert) or NIfTI (mnc2nii)");
+  const auto kept = std::make_shared<const Source>(std::move(source));
+  const NetcdfHeader header = TRY(readNetcdfHeader(*kept));
+  Result<VolumeFile> volume = MincReader(*kept, header, options).read();
   if (volume)
     volume->sources.push_back(kept);
   return volume;

@@ -86,10 +86,8 @@ class NiftiReader {
       : m_source(source), m_image(image), m_options(options) {}
 
   Result<VolumeFile> read() {
-    if (const Status status = readHeader(); !status)
-      return status.error();
-    if (const Status status = readLayout(); !status)
-      return status.error();
+    TRY(readHeader());
+    TRY(readLayout());
     m_analyze ? placeAsAnalyze() : readPlace();
     m_file.stored.file = m_image.file();
     m_file.stored.bytes = m_image.text();
@@ -360,19 +358,14 @@ class NiftiReader {
 Result<VolumeFile> openNifti(const std::filesystem::path& file, const ReadOptions& options) {
   ImagePair pair{file, file};
   if (isOfImagePair(file)) {
-    const Result<ImagePair> found = imagePairOf(file);
-    if (!found)
-      return found.error();
-    pair = *found;
+    pair = TRY(imagePairOf(file));
   }
   std::vector<std::shared_ptr<const Source>> sources;
   for (const std::filesystem::path& one : {pair.header, pair.image}) {
     if (!sources.empty() && pair.header == pair.image)
       break;
-    Result<Source> source = Source::readStored(one, options.limits);
-    if (!source)
-      return source.error();
-    sources.push_back(std::make_shared<const Source>(std::move(*source)));
+    Source source = TRY(Source::readStored(one, options.limits));
+    sources.push_back(std::make_shared<const Source>(std::move(source)));
   }
   Result<VolumeFile> volume = NiftiReader(*sources.front(), *sources.back(), options).read();
   if (volume)

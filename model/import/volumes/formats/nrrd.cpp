@@ -23,14 +23,10 @@ class NrrdReader {
       : m_source(source), m_header(std::move(header)), m_options(options) {}
 
   Result<VolumeFile> read() {
-    if (const Status status = readAxes(); !status)
-      return status.error();
-    if (const Status status = readPlace(); !status)
-      return status.error();
-    if (const Status status = readType(); !status)
-      return status.error();
-    if (const Status status = findData(); !status)
-      return status.error();
+    TRY(readAxes());
+    TRY(readPlace());
+    TRY(readType());
+    TRY(findData());
     const bool segments =
         !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
     m_file.layersMeant = segments;
@@ -115,9 +111,7 @@ class NrrdReader {
   }
 
   Status readPlace() {
-    const Result<NrrdSpace> space = nrrdSpace(m_source, m_header);
-    if (!space)
-      return space.error();
+    const NrrdSpace space = TRY(nrrdSpace(m_source, m_header));
     glm::dmat4& place = m_file.toLps;
     if (m_directions.empty()) {
       TextCursor at(m_header.field("spacings"));
@@ -137,13 +131,13 @@ class NrrdReader {
     const auto origin = nrrdVectors(m_header.field("space origin"));
     if (origin.size() == 1 && origin.front())
       place[3] = glm::dvec4(*origin.front(), 1.0);
-    const bool ofSlicerRt = moveByExtent(!space->frame) && !space->frame;
-    const glm::dvec3 toLps = ofSlicerRt ? glm::dvec3(-1.0, -1.0, 1.0) : space->toLps;
+    const bool ofSlicerRt = moveByExtent(!space.frame) && !space.frame;
+    const glm::dvec3 toLps = ofSlicerRt ? glm::dvec3(-1.0, -1.0, 1.0) : space.toLps;
     const double unit = nrrdUnit(m_header);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 3; ++row)
         place[column][row] *= toLps[row] * (unit > 0.0 ? unit : 1.0);
-    m_file.frame = ofSlicerRt ? std::optional(Frame::ras) : space->frame;
+    m_file.frame = ofSlicerRt ? std::optional(Frame::ras) : space.frame;
     m_file.frameReason = ofSlicerRt ? "SlicerRT's segmentations are RAS"
                                     : "space: " + std::string(m_header.field("space"));
     m_file.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
@@ -230,8 +224,7 @@ class NrrdReader {
     m_file.stored.file = m_source.file();
     m_file.stored.bytes = m_header.data;
     if (const std::string_view name = m_header.field("data file"); !name.empty()) {
-      if (Status status = openData(name); !status)
-        return status;
+      TRY(openData(name));
       m_file.stored.file = m_file.sources.back()->file();
       m_file.stored.bytes = m_file.sources.back()->text();
     }
@@ -263,10 +256,8 @@ class NrrdReader {
       return m_source.at("field data file",
                          "refers to " + inQuotes(name) + ", which is outside the header's folder",
                          "Put the data beside the header and name only the file");
-    Result<Source> data = Source::readStored(*file, m_options.limits);
-    if (!data)
-      return data.error();
-    m_file.sources.push_back(std::make_shared<const Source>(std::move(*data)));
+    Source data = TRY(Source::readStored(*file, m_options.limits));
+    m_file.sources.push_back(std::make_shared<const Source>(std::move(data)));
     return Unit{};
   }
 
@@ -297,14 +288,10 @@ class NrrdReader {
 }  // namespace
 
 Result<VolumeFile> openNrrd(const std::filesystem::path& file, const ReadOptions& options) {
-  Result<Source> source = Source::readStored(file, options.limits);
-  if (!source)
-    return source.error();
-  const auto kept = std::make_shared<const Source>(std::move(*source));
-  Result<NrrdHeader> header = nrrdHeader(*kept);
-  if (!header)
-    return header.error();
-  Result<VolumeFile> volume = NrrdReader(*kept, std::move(*header), options).read();
+  Source source = TRY(Source::readStored(file, options.limits));
+  const auto kept = std::make_shared<const Source>(std::move(source));
+  NrrdHeader header = TRY(nrrdHeader(*kept));
+  Result<VolumeFile> volume = NrrdReader(*kept, std::move(header), options).read();
   if (volume)
     volume->sources.push_back(kept);
   return volume;

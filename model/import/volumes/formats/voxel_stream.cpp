@@ -69,11 +69,9 @@ Result<std::uint64_t> bytesToSkip(const VoxelLayout& layout, const VoxelBytes& s
 
 Status binaryRuns(const VoxelLayout& layout, const VoxelBytes& stored, std::uint64_t all,
                   const std::function<bool(const VoxelRun&)>& take) {
-  const Result<std::uint64_t> skip = bytesToSkip(layout, stored, all);
-  if (!skip)
-    return skip.error();
+  const std::uint64_t skip = TRY(bytesToSkip(layout, stored, all));
   PackedBytes bytes(stored.bytes, stored.packing);
-  if (!bytes.skip(*skip))
+  if (!bytes.skip(skip))
     return endsEarly(all, 0, bytes.broken());
   const std::size_t width = sizeOf(layout.type);
   std::vector<char> piece(numbersAtOnce * width);

@@ -272,8 +272,7 @@ Result<std::unique_ptr<RowFile>> outputRows(PixelKind kind, const PixelLayout& l
                                             const PixelMarks& marks,
                                             std::unique_ptr<ByteTarget> target) {
   auto rows = std::make_unique<OutputRows>(kind, layout, marks, std::move(target));
-  if (const Status opened = rows->open(); !opened.ok())
-    return opened.error();
+  TRY(rows->open());
   return std::unique_ptr<RowFile>(std::move(rows));
 }
 
