@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/export_notes.h"
 #include "app/cli/files/interruption.h"
 #include "app/cli/files/targets.h"

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <glm/geometric.hpp>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/targets.h"
 #include "model/geometry/normals.h"
 

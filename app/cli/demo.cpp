@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/files/mesh_folder.h"
 #include "app/cli/files/scene_summary.h"

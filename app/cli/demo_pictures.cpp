@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/flags/values.h"
 #include "model/demo/demo.h"
 #include "model/disk/whole_file.h"

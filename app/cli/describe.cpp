@@ -2,7 +2,7 @@
 // Implements `sline describe`: says in words what a picture shows.
 #include <algorithm>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/flags/page_flags.h"
 #include "app/cli/flags/picture_options.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/flags/picture_flags.h"
 
 namespace sline::cli {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/files/export_notes.h"
 #include "app/cli/files/interruption.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `sline import`: reads any known file and writes a scene file.
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/files/thumbnail.h"
 #include "app/cli/flags/option_kinds.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `sline info`: prints what is in the files.
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/scene_summary.h"
 #include "app/cli/flags/values.h"
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <set>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/film_flags.h"
 #include "app/cli/flags/package_flags.h"

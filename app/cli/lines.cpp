@@ -2,7 +2,7 @@
 // Implements `sline lines`: writes the line segments and strokes of a mesh for one camera as JSON.
 #include <algorithm>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/camera_file.h"
 #include "app/cli/files/json_values.h"
 #include "app/cli/files/targets.h"

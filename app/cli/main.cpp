@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <new>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/flags/arguments.h"
 #include "app/cli/flags/option_kinds.h"
 #include "model/disk/process.h"

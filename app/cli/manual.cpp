@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/manual/completions.h"
 #include "app/cli/manual/man_page.h"
 #include "app/cli/manual/option_table.h"

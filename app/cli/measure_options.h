@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/flags/measure_flags.h"
 
 namespace sline::cli {

@@ -6,8 +6,8 @@
 
 #include "app/cli/files/flag_words.h"
 #include "app/cli/flags/values.h"
+#include "model/lengths/told_length.h"
 #include "model/scene/known_frame.h"
-#include "model/scene/told_length.h"
 
 namespace sline::cli {
 

@@ -2,7 +2,7 @@
 // Implements `sline pockets`: finds the pockets of proteins and lists them.
 #include <cstdio>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/json_values.h"
 #include "app/cli/files/progress.h"
 #include "app/cli/files/thumbnail.h"

@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/files/json_values.h"
 #include "app/cli/files/targets.h"

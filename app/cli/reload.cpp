@@ -2,7 +2,7 @@
 // Implements `sline reload`: reads a scene file's meshes anew from the files they came from.
 #include <algorithm>
 
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/files/thumbnail.h"
 #include "model/import/plan/reload.h"
 #include "model/scene_file/scene_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `sline render`: reads files and draws a picture.
-#include "app/cli/command.h"
+#include "app/cli/commands/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/picture_options.h"

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/focus/form.h"
 #include "model/geometry/plane.h"
-#include "model/scene/camera.h"
 #include "model/scene/node_id.h"
 
 namespace sline::model {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "model/camera/camera.h"
 #include "model/focus/analysis.h"
-#include "model/scene/camera.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "model/camera/free_sides.h"
 #include "model/focus/context.h"
 #include "model/look/subjects.h"
-#include "model/scene/free_sides.h"
 
 namespace sline::model {
 

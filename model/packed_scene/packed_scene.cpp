@@ -73,7 +73,7 @@ ViewWords withoutWords(const ViewWords& words) {
 /// Takes away what no page shows.
 Node published(Node node, bool names) {
   Provenance kept;
-  // These decide how smooth the surface is drawn (render/strokes/prepared_surface.h).
+  // These decide how smooth the surface is drawn (render/drawn/prepared_surface.h).
   kept.smoothingSteps = node.provenance.smoothingSteps;
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;

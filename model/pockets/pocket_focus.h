@@ -2,9 +2,9 @@
 // Puts a pocket in focus: its wall is shaded, what lies in it is drawn in full, all else is lines.
 #pragma once
 
+#include "model/camera/camera.h"
 #include "model/edit/edited.h"
 #include "model/pockets/scene_pockets.h"
-#include "model/scene/camera.h"
 
 namespace sline::model {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "model/base/units.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/look.h"
 
 namespace sline::model {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 
 namespace sline::model {
 

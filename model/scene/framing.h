@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {

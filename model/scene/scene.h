@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/atom_set.h"
 #include "model/geometry/mesh.h"
 #include "model/geometry/paint.h"
 #include "model/scene/annotation.h"
-#include "model/scene/camera.h"
 #include "model/scene/credit.h"
 #include "model/scene/evidence.h"
 #include "model/scene/focus.h"

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/plane.h"
-#include "model/scene/camera.h"
 #include "model/scene/node_id.h"
 
 namespace sline::model {

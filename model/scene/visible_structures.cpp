@@ -3,8 +3,8 @@
 
 #include <deque>
 
-#include "model/geometry/plane_section.h"
-#include "model/scene/outermost_points.h"
+#include "model/camera/outermost_points.h"
+#include "model/cuts/plane_section.h"
 #include "model/scene/resolved_styles.h"
 
 namespace sline::model {

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "model/base/result.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene_json/json_value.h"
 
 namespace sline::model {

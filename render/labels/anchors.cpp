@@ -5,12 +5,12 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "model/lengths/shortest_distance.h"
 #include "model/scene/cut_place.h"
 #include "model/scene/in_focus.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
-#include "model/scene/shortest_distance.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 
 namespace sline::render {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "model/lengths/told_length.h"
 #include "model/scene/known_frame.h"
-#include "model/scene/told_length.h"
 #include "render/labels/layout.h"
-#include "render/labels/screen.h"
-#include "render/labels/sight.h"
+#include "render/labels/seen/screen.h"
+#include "render/labels/seen/sight.h"
 
 namespace sline::render {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "render/labels/shapes.h"
+#include "render/labels/seen/shapes.h"
 
 namespace sline::render {
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 
 namespace sline::render {
 

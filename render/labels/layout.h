@@ -16,7 +16,7 @@
 
 #include "model/scene/annotation.h"
 #include "render/labels/obstacles.h"
-#include "render/labels/shapes.h"
+#include "render/labels/seen/shapes.h"
 
 namespace sline::render {
 

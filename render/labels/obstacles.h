@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/scene/scene.h"
-#include "render/labels/screen.h"
-#include "render/labels/shapes.h"
+#include "render/labels/seen/screen.h"
+#include "render/labels/seen/shapes.h"
 
 namespace sline::render {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/known_frame.h"
 
 namespace sline::render {

@@ -3,7 +3,7 @@
 // possible.
 #pragma once
 
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "render/lettering/label_texts.h"
 
 namespace sline::render {

@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "model/scene/scene.h"
 #include "render/lettering/label_style.h"
 

@@ -9,8 +9,8 @@
 
 #include "model/base/units.h"
 #include "model/scene/look.h"
-#include "render/labels/shapes.h"
-#include "render/strokes/picture_settings.h"
+#include "render/drawn/picture_settings.h"
+#include "render/labels/seen/shapes.h"
 
 namespace sline::render {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/lengths/told_length.h"
 #include "model/scene/label_words.h"
-#include "model/scene/told_length.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/word_division.h"
 

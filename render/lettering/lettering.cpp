@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/drawn/surface_fill.h"
 #include "render/lettering/label_texts.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

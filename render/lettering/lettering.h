@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "model/base/units.h"
+#include "render/drawn/picture_settings.h"
 #include "render/lettering/text_lines.h"
-#include "render/strokes/picture_settings.h"
 #include "render/vectors/path.h"
 
 namespace sline::render {

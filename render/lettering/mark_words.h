@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/gamma_map.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/section.h"

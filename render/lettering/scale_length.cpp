@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/scene/told_length.h"
+#include "model/lengths/told_length.h"
 
 namespace sline::render {
 

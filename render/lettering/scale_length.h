@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/scene.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "model/scene/scene.h"
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_view.h"
 #include "render/lines/techniques/lines.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_view.h"
 #include "render/strokes/structure_lines.h"
 #include "render/vectors/depth_layer.h"
 

@@ -12,7 +12,7 @@
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/strokes/picture_settings.h"
+#include "render/drawn/picture_settings.h"
 
 namespace sline::render {
 

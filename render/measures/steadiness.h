@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/camera/camera.h"
 #include "model/geometry/mesh.h"
-#include "model/scene/camera.h"
 #include "render/raster/image.h"
 
 namespace sline::render {

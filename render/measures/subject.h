@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "model/scene/scene.h"
+#include "render/drawn/picture_settings.h"
 #include "render/measures/ramp.h"
 #include "render/measures/steadiness.h"
-#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/geometry/bvh.h"
+#include "render/drawn/picture_view.h"
 #include "render/measures/tone.h"
-#include "render/strokes/picture_view.h"
 
 namespace sline::render {
 

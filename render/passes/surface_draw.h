@@ -7,9 +7,9 @@
 #include <glm/vec4.hpp>
 #include <span>
 
+#include "render/drawn/surface_fill.h"
 #include "render/gpu/device.h"
 #include "render/passes/surface_geometry.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render::passes {
 

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "model/geometry/plane_section.h"
+#include "model/camera/camera_moves.h"
+#include "model/cuts/plane_section.h"
 #include "model/geometry/sight.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene/resolved_styles.h"
-#include "render/strokes/section_caps.h"
-#include "render/strokes/surface_fill.h"
+#include "render/drawn/section_caps.h"
+#include "render/drawn/surface_fill.h"
 
 namespace sline::render {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/mesh_trees.h"
-#include "model/scene/camera.h"
 #include "model/scene/scene.h"
 
 namespace sline::render {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/scene/scene.h"
-#include "render/strokes/picture_settings.h"
+#include "render/drawn/picture_settings.h"
 
 namespace sline::render {
 

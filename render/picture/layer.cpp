@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "model/base/parallel.h"
+#include "render/drawn/surface_fill.h"
 #include "render/picture/printed_hatching.h"
 #include "render/picture/surfaces/visible_triangles.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/hidden_lines.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

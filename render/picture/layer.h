@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "model/scene/scene.h"
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_settings.h"
 #include "render/gpu/device.h"
 #include "render/picture/layer_caps.h"
 #include "render/picture/surfaces/surface_cache.h"
@@ -16,8 +18,6 @@
 #include "render/software/layer_pixels.h"
 #include "render/software/occlusion.h"
 #include "render/software/surface_values.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_settings.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {

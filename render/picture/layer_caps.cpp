@@ -5,8 +5,8 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "render/drawn/section_caps.h"
 #include "render/picture/layer.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include "render/drawn/picture_settings.h"
+#include "render/drawn/picture_view.h"
+#include "render/drawn/sectioned_surface.h"
 #include "render/passes/cap/cap_pass.h"
 #include "render/picture/surfaces/tile_lists.h"
-#include "render/strokes/picture_settings.h"
-#include "render/strokes/picture_view.h"
-#include "render/strokes/sectioned_surface.h"
 
 namespace sline::render {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "render/drawn/face_patterns.h"
 #include "render/picture/processor_drawing.h"
-#include "render/strokes/face_patterns.h"
 
 namespace sline::render {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <span>
 
+#include "render/drawn/surface_fill.h"
 #include "render/picture/layer_painter.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

@@ -2,12 +2,12 @@
 // Draws the surfaces, caps and ink of layers into the atlas.
 #include <algorithm>
 
+#include "render/drawn/section_caps.h"
+#include "render/drawn/surface_fill.h"
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_ink.h"
 #include "render/picture/layer_painter.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/section_caps.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

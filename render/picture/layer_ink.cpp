@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "render/drawn/surface_fill.h"
 #include "render/picture/layer_content.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

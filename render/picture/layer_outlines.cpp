@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
+#include "render/drawn/section_caps.h"
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_painter.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <numeric>
 
+#include "render/drawn/surface_fill.h"
 #include "render/picture/layer_content.h"
 #include "render/picture/processor_drawing.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

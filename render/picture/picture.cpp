@@ -6,11 +6,11 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
+#include "render/drawn/coinciding.h"
+#include "render/drawn/face_patterns.h"
+#include "render/drawn/gamma_offsets.h"
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_output.h"
-#include "render/strokes/coinciding.h"
-#include "render/strokes/face_patterns.h"
-#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {

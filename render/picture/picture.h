@@ -17,8 +17,8 @@
 #include "model/base/units.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
+#include "render/drawn/picture_settings.h"
 #include "render/raster/image.h"
-#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 

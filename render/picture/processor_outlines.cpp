@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "render/drawn/section_caps.h"
 #include "render/picture/layer_painter.h"
 #include "render/software/cap_raster.h"
 #include "render/software/surface_raster.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

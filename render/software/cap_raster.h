@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "render/drawn/section_caps.h"
 #include "render/software/surface_raster.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

@@ -11,11 +11,11 @@
 
 #include "model/base/lanes.h"
 #include "model/base/parallel.h"
+#include "render/drawn/fill_shading.h"
 #include "render/raster/rounding.h"
 #include "render/sight/rules.h"
 #include "render/software/line_sight.h"
 #include "render/software/trims.h"
-#include "render/strokes/fill_shading.h"
 
 namespace sline::render {
 

@@ -6,11 +6,11 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_view.h"
 #include "render/raster/pixel_rect.h"
 #include "render/raster/tile_mask.h"
 #include "render/software/layer_pixels.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_view.h"
 #include "render/strokes/stroke.h"
 
 namespace sline::render {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "render/drawn/section_caps.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

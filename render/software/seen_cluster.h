@@ -12,7 +12,7 @@
 #include <span>
 
 #include "model/geometry/surface.h"
-#include "render/strokes/picture_view.h"
+#include "render/drawn/picture_view.h"
 
 namespace sline::render {
 

@@ -7,13 +7,13 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/surface_fill.h"
 #include "render/raster/pixel_rect.h"
 #include "render/raster/tile_mask.h"
 #include "render/software/layer_pixels.h"
 #include "render/software/seen_cluster.h"
 #include "render/software/surface_values.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

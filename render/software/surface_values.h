@@ -8,9 +8,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "render/drawn/fill_shading.h"
+#include "render/drawn/surface_fill.h"
 #include "render/software/layer_pixels.h"
-#include "render/strokes/fill_shading.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

@@ -2,10 +2,10 @@
 // Finds which pixels a structure and its strokes can touch, from the surface's clusters alone.
 #pragma once
 
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_view.h"
+#include "render/drawn/section_caps.h"
 #include "render/lines/techniques/lines.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_view.h"
-#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

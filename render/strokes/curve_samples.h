@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "render/drawn/picture_view.h"
 #include "render/lines/techniques/lines.h"
-#include "render/strokes/picture_view.h"
 
 namespace sline::render {
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "render/drawn/picture_view.h"
 #include "render/lines/ground/chains.h"
 #include "render/strokes/line_joints.h"
-#include "render/strokes/picture_view.h"
 
 namespace sline::render {
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "render/drawn/section_caps.h"
 #include "render/lines/ground/stage_entry.h"
 #include "render/lines/ground/view_fields.h"
-#include "render/strokes/section_caps.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "model/base/parallel.h"
+#include "render/drawn/section_caps.h"
 #include "render/lines/ground/chains.h"
 #include "render/lines/ground/stage_entry.h"
 #include "render/lines/ground/stages.h"
@@ -18,7 +19,6 @@
 #include "render/lines/techniques/technique_list.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/line_curves.h"
-#include "render/strokes/section_caps.h"
 #include "render/strokes/stroke_maker.h"
 
 namespace sline::render {

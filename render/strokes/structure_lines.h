@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "model/scene/style.h"
+#include "render/drawn/face_patterns.h"
+#include "render/drawn/gamma_offsets.h"
+#include "render/drawn/picture_view.h"
+#include "render/drawn/prepared_surface.h"
+#include "render/drawn/sectioned_surface.h"
 #include "render/lines/hatching/hatching.h"
 #include "render/lines/techniques/lines.h"
 #include "render/raster/pixel_rect.h"
-#include "render/strokes/face_patterns.h"
-#include "render/strokes/gamma_offsets.h"
-#include "render/strokes/picture_view.h"
-#include "render/strokes/prepared_surface.h"
-#include "render/strokes/sectioned_surface.h"
 #include "render/strokes/stroke.h"
 
 namespace sline::render {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/strokes/section_caps.h"
-#include "render/strokes/surface_fill.h"
+#include "render/drawn/section_caps.h"
+#include "render/drawn/surface_fill.h"
 
 namespace sline::render {
 

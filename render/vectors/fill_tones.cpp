@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "render/drawn/fill_shading.h"
 #include "render/lines/ground/view_fields.h"
 #include "render/sight/flat_triangle.h"
-#include "render/strokes/fill_shading.h"
 
 namespace sline::render {
 

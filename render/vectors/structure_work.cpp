@@ -6,10 +6,10 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
+#include "render/drawn/coinciding.h"
+#include "render/drawn/gamma_offsets.h"
 #include "render/lines/techniques/line_technique.h"
-#include "render/strokes/coinciding.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/gamma_offsets.h"
 #include "render/vectors/crumbs.h"
 #include "render/vectors/ink_chains.h"
 #include "render/vectors/vector_drawing.h"

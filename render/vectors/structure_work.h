@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "model/scene/scene.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/face_patterns.h"
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/face_patterns.h"
 #include "render/strokes/structure_lines.h"
 #include "render/vectors/visible_strokes.h"
 

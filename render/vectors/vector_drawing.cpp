@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "render/drawn/gamma_offsets.h"
+#include "render/drawn/surface_fill.h"
 #include "render/lines/ground/stages.h"
 #include "render/sight/rules.h"
-#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
-#include "render/strokes/surface_fill.h"
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"

@@ -13,8 +13,8 @@
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
+#include "render/drawn/picture_settings.h"
 #include "render/raster/image.h"
-#include "render/strokes/picture_settings.h"
 #include "render/vectors/path.h"
 
 namespace sline::render {

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "model/camera/camera_flight.h"
+#include "model/camera/camera_moves.h"
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/edit/visibility.h"
-#include "model/scene/camera_flight.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene/framing.h"
 #include "render/labels/anchors.h"
 #include "render/labels/obstacles.h"

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "model/camera/free_sides.h"
 #include "model/geometry/mesh_trees.h"
 #include "model/packed_scene/packed_scene.h"
-#include "model/scene/free_sides.h"
 #include "render/gpu/device.h"
 #include "render/labels/layout.h"
 #include "render/picking/pick_index.h"

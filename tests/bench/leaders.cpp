@@ -16,7 +16,7 @@
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/typesetting.h"
 #include "render/measures/leader_truth.h"
 #include "tests/bench/kept_plate.h"

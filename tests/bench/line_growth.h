@@ -8,7 +8,7 @@
 #include <span>
 
 #include "model/base/result.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/scene.h"
 
 namespace sline::bench {

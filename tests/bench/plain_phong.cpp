@@ -2,10 +2,10 @@
 #include "tests/bench/plain_phong.h"
 
 #include "model/scene/visible_structures.h"
+#include "render/drawn/picture_view.h"
+#include "render/drawn/prepared_surface.h"
+#include "render/drawn/surface_fill.h"
 #include "render/gpu/draw_queue.h"
-#include "render/strokes/picture_view.h"
-#include "render/strokes/prepared_surface.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::bench {
 

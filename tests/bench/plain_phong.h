@@ -6,9 +6,9 @@
 #include <map>
 #include <memory>
 
+#include "render/drawn/picture_settings.h"
 #include "render/gpu/target.h"
 #include "render/passes/plain_phong/plain_phong_pass.h"
-#include "render/strokes/picture_settings.h"
 
 namespace sline::bench {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/scene.h"
 #include "render/picture/picture.h"
 #include "tests/bench/measure.h"

@@ -7,9 +7,9 @@
 
 #include "model/edit/look.h"
 #include "model/scene/visible_structures.h"
+#include "render/drawn/prepared_surface.h"
 #include "render/lines/techniques/line_technique.h"
 #include "render/lines/techniques/technique_list.h"
-#include "render/strokes/prepared_surface.h"
 #include "tests/bench/measure.h"
 
 namespace sline::bench {

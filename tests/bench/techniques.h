@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/scene.h"
 #include "model/scene/style.h"
 

@@ -11,11 +11,11 @@
 #include <iostream>
 #include <map>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "tests/bench/measure.h"
 #include "tests/gui/event_watch.h"
 #include "tests/gui/window_fixture.h"
-#include "widgets/gamma/brush_tool.h"
+#include "widgets/brush/brush_tool.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/sections/section_handles.h"
 #include "widgets/viewport/tools/points.h"

@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <array>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/locks.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
-#include "widgets/gamma/brush_tool.h"
+#include "widgets/brush/brush_tool.h"
 #include "widgets/viewport/tools/points.h"
 
 using namespace sline;

@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <QSet>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/motion/film_options.h"

@@ -8,8 +8,8 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "widgets/form/range_box.h"
 #include "widgets/gamma/gamma_slider.h"
-#include "widgets/gamma/range_box.h"
 #include "widgets/gamma/stage_strip.h"
 
 namespace sline::test {

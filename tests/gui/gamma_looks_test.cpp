@@ -14,7 +14,7 @@
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
-#include "widgets/gamma/range_box.h"
+#include "widgets/form/range_box.h"
 #include "widgets/gamma/style_rows.h"
 #include "widgets/gamma/style_slider.h"
 

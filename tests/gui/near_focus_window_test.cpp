@@ -6,8 +6,8 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/look.h"
-#include "model/scene/camera_moves.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"

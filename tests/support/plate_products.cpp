@@ -19,7 +19,7 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/plate_image.h"
 #include "render/export/slides/slide_page.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/typesetting.h"
 
 namespace sline::test {

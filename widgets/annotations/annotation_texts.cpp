@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/annotation_texts.h"
 
+#include "model/lengths/shortest_distance.h"
 #include "model/scene/markup.h"
-#include "model/scene/shortest_distance.h"
 #include "render/lettering/label_texts.h"
 #include "widgets/session/names_by_language.h"
 #include "widgets/text/tr.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "model/scene/style.h"
 
 namespace sline::widgets {

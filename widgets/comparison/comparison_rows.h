@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "render/export/comparison/comparison.h"
 
 namespace sline::widgets {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "model/camera/camera.h"
 #include "model/figure/figure_edit.h"
 #include "model/figure/figure_layout.h"
-#include "model/scene/camera.h"
 
 namespace sline::widgets {
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <utility>
 
+#include "model/camera/camera_moves.h"
 #include "model/disk/process.h"
 #include "model/geometry/sight.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene/visible_structures.h"
 
 namespace sline::widgets {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "model/focus/context.h"
-#include "model/scene/measured_extent.h"
+#include "model/lengths/measured_extent.h"
 #include "widgets/session/length_texts.h"
 #include "widgets/text/tr.h"
 

@@ -14,12 +14,12 @@
 #include "model/edit/emphasis.h"
 #include "model/edit/look.h"
 #include "model/scene/resolved_styles.h"
+#include "widgets/form/range_box.h"
 #include "widgets/gamma/drawing_panel.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/gamma/more_panel.h"
 #include "widgets/gamma/preset_panel.h"
-#include "widgets/gamma/range_box.h"
 #include "widgets/gamma/stage_strip.h"
 
 namespace sline::widgets {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/edit/emphasis.h"
-#include "widgets/gamma/drag_slider.h"
+#include "widgets/form/drag_slider.h"
 
 namespace sline::widgets {
 

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "widgets/gamma/range_box.h"
+#include "widgets/form/range_box.h"
 #include "widgets/gamma/selected_looks.h"
 #include "widgets/gamma/style_slider.h"
 #include "widgets/session/colour_dialog.h"

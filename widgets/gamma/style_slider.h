@@ -2,7 +2,7 @@
 // A slim slider for one number of a style.
 #pragma once
 
-#include "widgets/gamma/drag_slider.h"
+#include "widgets/form/drag_slider.h"
 
 namespace sline::widgets {
 

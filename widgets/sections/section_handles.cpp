@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "render/lettering/scale_length.h"
 
 namespace sline::widgets {

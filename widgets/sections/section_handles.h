@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/mesh.h"
 #include "model/geometry/plane.h"
-#include "model/scene/camera.h"
 
 namespace sline::widgets {
 

@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "model/lengths/told_length.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/scene.h"
-#include "model/scene/told_length.h"
 
 namespace sline::widgets {
 

@@ -19,7 +19,7 @@
 
 #include "model/edit/credits.h"
 #include "model/fairing/faired.h"
-#include "model/scene/measured_extent.h"
+#include "model/lengths/measured_extent.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
 #include "widgets/session/length_texts.h"

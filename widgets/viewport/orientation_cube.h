@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 namespace sline::widgets {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/strokes/picture_settings.h"
+#include "render/drawn/picture_settings.h"
 #include "widgets/viewport/cube_mark.h"
 #include "widgets/viewport/scale_bar.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "model/base/contrast.h"
-#include "render/strokes/surface_fill.h"
+#include "render/drawn/surface_fill.h"
 
 namespace sline::widgets {
 

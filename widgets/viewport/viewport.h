@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "model/camera/camera_flight.h"
 #include "model/edit/blend.h"
-#include "model/scene/camera_flight.h"
 #include "render/picture/motion_quality.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/session/session.h"

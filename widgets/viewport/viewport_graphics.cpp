@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/strokes/surface_fill.h"
+#include "render/drawn/surface_fill.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {

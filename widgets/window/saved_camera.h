@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "widgets/session/document_file.h"
 
 namespace sline::widgets {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "model/base/result.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 namespace sline::cli {
 

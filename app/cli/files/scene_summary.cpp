@@ -12,10 +12,10 @@
 #include "model/geometry/topology.h"
 #include "model/import/naming/other_sides.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/lengths/told_length.h"
 #include "model/scene/cut_place.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
-#include "model/scene/told_length.h"
 
 namespace sline::cli {
 

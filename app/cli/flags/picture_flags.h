@@ -17,7 +17,7 @@
 #include "model/look/drawing_styles.h"
 #include "model/look/opening_look.h"
 #include "model/scene/scene.h"
-#include "render/strokes/picture_settings.h"
+#include "render/drawn/picture_settings.h"
 
 namespace sline::cli {
 

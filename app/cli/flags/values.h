@@ -12,8 +12,8 @@
 #include "model/base/units.h"
 #include "model/import/plan/import.h"
 #include "model/scene/style.h"
+#include "render/drawn/picture_settings.h"
 #include "render/export/order/export_order.h"
-#include "render/strokes/picture_settings.h"
 
 namespace sline::cli {
 

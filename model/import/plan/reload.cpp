@@ -18,10 +18,10 @@
 #include "model/import/plan/patients.h"
 #include "model/import/plan/reload_patients.h"
 #include "model/import/plan/shape_parts.h"
+#include "model/lengths/measured_extent.h"
+#include "model/lengths/told_length.h"
 #include "model/meshing/repair.h"
-#include "model/scene/measured_extent.h"
 #include "model/scene/scene_limits.h"
-#include "model/scene/told_length.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {

@@ -12,8 +12,8 @@
 #include "model/geometry/extent.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/source/values.h"
+#include "model/lengths/measured_extent.h"
 #include "model/meshing/simplification.h"
-#include "model/scene/measured_extent.h"
 
 namespace sline::model {
 

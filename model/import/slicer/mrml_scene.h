@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/source/raw_mesh.h"
-#include "model/scene/camera.h"
 #include "model/scene/style.h"
 
 namespace sline::model {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 namespace sline::render {
 

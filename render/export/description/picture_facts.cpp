@@ -12,7 +12,7 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/marks.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 
 namespace sline::render {
 

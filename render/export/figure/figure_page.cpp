@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/figure/figure_options.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/views.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"

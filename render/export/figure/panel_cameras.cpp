@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "model/scene/camera_moves.h"
-#include "render/labels/screen.h"
+#include "model/camera/camera_moves.h"
+#include "render/labels/seen/screen.h"
 
 namespace sline::render {
 

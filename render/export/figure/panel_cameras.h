@@ -5,9 +5,9 @@
 #include <array>
 #include <glm/vec2.hpp>
 
+#include "model/camera/camera.h"
 #include "model/figure/figure.h"
-#include "model/scene/camera.h"
-#include "render/labels/shapes.h"
+#include "render/labels/seen/shapes.h"
 
 namespace sline::render {
 

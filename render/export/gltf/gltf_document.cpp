@@ -7,12 +7,12 @@
 #include "model/base/colour_text.h"
 #include "model/scene/markup.h"
 #include "model/scene/resolved_styles.h"
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/gamma_offsets.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/gltf/gltf_buffer.h"
 #include "render/export/gltf/gltf_json.h"
 #include "render/export/gltf/gltf_sights.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/gamma_offsets.h"
 
 namespace sline::render {
 

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "model/camera/camera_flight.h"
 #include "model/edit/blend.h"
-#include "model/scene/camera_flight.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/motion/turntable.h"
 #include "render/export/order/export_order.h"

@@ -14,10 +14,10 @@
 #include "model/base/result.h"
 #include "model/base/units.h"
 #include "model/scene/scene.h"
+#include "render/drawn/picture_settings.h"
 #include "render/export/order/export_notes.h"
 #include "render/export/order/writer_options.h"
 #include "render/lettering/label_style.h"
-#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 
 namespace sline::render {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "render/labels/shapes.h"
+#include "render/labels/seen/shapes.h"
 #include "render/lettering/lettering.h"
 #include "render/vectors/paper_tile.h"
 #include "render/vectors/vector_drawing.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/labels/shapes.h"
+#include "render/labels/seen/shapes.h"
 
 class QPDF;
 class QPDFPageObjectHelper;

@@ -11,7 +11,7 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/legend.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {

@@ -10,7 +10,7 @@
 #include "model/scene/markup.h"
 #include "render/export/plate/mark_text.h"
 #include "render/export/plate/picture_frame.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "render/labels/seen_map.h"
-#include "render/labels/shapes.h"
+#include "render/labels/seen/seen_map.h"
+#include "render/labels/seen/shapes.h"
 #include "render/lettering/lettering.h"
 
 namespace sline::render {

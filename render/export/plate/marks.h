@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "render/export/order/export_order.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/lettering.h"
 
 namespace sline::render {

@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/common.hpp>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/mark_text.h"
 #include "render/lettering/column_widths.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "render/export/order/export_notes.h"
 #include "render/export/order/export_order.h"
 #include "render/lettering/typesetting.h"

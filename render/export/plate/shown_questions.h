@@ -7,7 +7,7 @@
 
 #include "model/scene/question.h"
 #include "render/export/order/export_order.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/label_painter.h"
 
 namespace sline::render {

@@ -6,6 +6,7 @@
 
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
+#include "render/drawn/surface_fill.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/encoding/png_image.h"
 #include "render/export/order/sheet_words.h"
@@ -19,7 +20,6 @@
 #include "render/lettering/mark_words.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
-#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 

@@ -19,7 +19,7 @@
 #include "render/export/plate/shown_questions.h"
 #include "render/export/students/accepted_answers.h"
 #include "render/export/students/answer_hash.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/label_painter.h"
 
 namespace sline::render {

@@ -13,7 +13,7 @@
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/legend.h"
 #include "render/export/students/page_order.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 
 namespace sline::render {
 

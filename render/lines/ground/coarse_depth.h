@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/surface.h"
-#include "model/scene/camera.h"
 #include "render/lines/ground/view_scale.h"
 
 namespace sline::render {

@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "model/camera/camera.h"
 #include "model/geometry/mesh.h"
-#include "model/scene/camera.h"
 
 namespace sline::render {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/camera/camera.h"
 #include "model/geometry/surface.h"
-#include "model/scene/camera.h"
 #include "render/lines/ground/segments.h"
 
 namespace sline::render {

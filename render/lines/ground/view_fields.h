@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "model/camera/camera.h"
 #include "model/geometry/clusters.h"
-#include "model/scene/camera.h"
 
 namespace sline::render {
 

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 namespace sline::render {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/base/units.h"
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "model/scene/light.h"
 #include "render/lines/hatching/stroke_layout.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/geometry/plane_section.h"
+#include "model/cuts/plane_section.h"
 #include "render/lines/hatching/clipping.h"
 
 namespace sline::render {

@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "model/camera/camera.h"
 #include "model/geometry/surface.h"
-#include "model/scene/camera.h"
 #include "model/scene/light.h"
 #include "render/lines/ground/segments.h"
 

@@ -9,8 +9,8 @@
 #include "model/base/parallel.h"
 #include "model/base/srgb.h"
 #include "model/scene/resolved_styles.h"
-#include "render/labels/screen.h"
-#include "render/labels/sight.h"
+#include "render/labels/seen/screen.h"
+#include "render/labels/seen/sight.h"
 #include "render/picture/headless/headless_picture.h"
 
 namespace sline::render {

@@ -10,9 +10,9 @@
 
 #include "model/geometry/mesh.h"
 #include "model/scene/scene.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_settings.h"
-#include "render/strokes/picture_view.h"
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_settings.h"
+#include "render/drawn/picture_view.h"
 
 namespace sline::render {
 

@@ -10,11 +10,11 @@
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
 #include "model/scene/visible_structures.h"
+#include "render/drawn/gamma_offsets.h"
+#include "render/drawn/prepared_surface.h"
 #include "render/passes/surface_geometry.h"
 #include "render/picture/surfaces/detail_levels.h"
 #include "render/picture/surfaces/sample_levels.h"
-#include "render/strokes/gamma_offsets.h"
-#include "render/strokes/prepared_surface.h"
 
 namespace sline::render {
 

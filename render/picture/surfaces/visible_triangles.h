@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/drawn/drawn_structure.h"
+#include "render/drawn/picture_view.h"
 #include "render/picture/surfaces/tile_lists.h"
 #include "render/software/seen_cluster.h"
-#include "render/strokes/drawn_structure.h"
-#include "render/strokes/picture_view.h"
 
 namespace sline::render {
 

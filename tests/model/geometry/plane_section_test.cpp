@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/geometry/plane_section.h"
+#include "model/cuts/plane_section.h"
 
 #include <QTest>
 #include <map>
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "model/geometry/odd_even_fill.h"
+#include "model/cuts/odd_even_fill.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

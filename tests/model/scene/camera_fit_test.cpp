@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests cameras that are fitted to boxes and points.
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 #include <QTest>
 #include <array>
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "model/camera/free_sides.h"
+#include "model/camera/outermost_points.h"
 #include "model/scene/framing.h"
-#include "model/scene/free_sides.h"
-#include "model/scene/outermost_points.h"
 #include "tests/model/scene/projected_boxes.h"
 #include "tests/support/suite.h"
 

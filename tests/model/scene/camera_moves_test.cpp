@@ -4,8 +4,8 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "model/scene/camera_flight.h"
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_flight.h"
+#include "model/camera/camera_moves.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

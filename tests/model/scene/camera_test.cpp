@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests cameras: what they show, at what scale and depth, and their faults.
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 #include <QTest>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "tests/model/scene/projected_boxes.h"
 #include "tests/support/suite.h"
 

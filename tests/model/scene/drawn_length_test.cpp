@@ -2,7 +2,7 @@
 // Tests what is written of a distance between two structures, from bodies to cells.
 #include <QTest>
 
-#include "model/scene/shortest_distance.h"
+#include "model/lengths/shortest_distance.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 
 namespace sline::test {
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "render/labels/layout.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "tests/render/labels/layout_promises.h"
 #include "tests/support/suite.h"
 

@@ -2,7 +2,7 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "tests/render/labels/shown_labels.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -13,7 +13,7 @@
 #include "model/demo/demo.h"
 #include "model/import/plan/import.h"
 #include "render/labels/anchors.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -2,7 +2,7 @@
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "render/labels/orientation_letters.h"
 #include "tests/support/suite.h"
 

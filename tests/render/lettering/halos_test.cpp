@@ -6,8 +6,8 @@
 #include <QtTest>
 #include <cmath>
 
+#include "render/drawn/surface_fill.h"
 #include "render/lettering/lettering.h"
-#include "render/strokes/surface_fill.h"
 #include "tests/support/suite.h"
 
 namespace sline::test {

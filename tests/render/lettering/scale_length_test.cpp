@@ -2,7 +2,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "render/lettering/scale_length.h"
 #include "tests/support/suite.h"
 

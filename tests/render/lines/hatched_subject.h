@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "render/lines/hatching/hatching.h"
 
 namespace sline::test {

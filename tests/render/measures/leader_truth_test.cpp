@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QtTest>
 
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/measures/leader_truth.h"
 #include "render/picture/headless/headless_picture.h"
 #include "tests/support/shapes.h"

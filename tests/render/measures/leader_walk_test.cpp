@@ -8,7 +8,7 @@
 #include "model/demo/demo.h"
 #include "model/import/plan/import.h"
 #include "model/look/opening_look.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/measures/leader_truth.h"
 #include "render/picture/headless/headless_picture.h"
 #include "tests/support/suite.h"

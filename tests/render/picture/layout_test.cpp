@@ -3,11 +3,11 @@
 #include <QtTest>
 #include <random>
 
+#include "render/drawn/picture_view.h"
 #include "render/lines/ground/stages.h"
 #include "render/picture/shelf_packer.h"
 #include "render/picture/surfaces/tile_lists.h"
 #include "render/raster/image.h"
-#include "render/strokes/picture_view.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/strokes/prepared_surface.h"
+#include "render/drawn/prepared_surface.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

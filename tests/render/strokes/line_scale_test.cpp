@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/strokes/line_scale.h"
+#include "render/drawn/line_scale.h"
 
 #include <QTest>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "model/edit/sections.h"
-#include "render/strokes/face_patterns.h"
-#include "render/strokes/section_caps.h"
+#include "render/drawn/face_patterns.h"
+#include "render/drawn/section_caps.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "tests/support/suite.h"
 #include "widgets/sections/section_handles.h"
 

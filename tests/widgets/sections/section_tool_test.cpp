@@ -4,8 +4,8 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/sections.h"
-#include "model/scene/camera_moves.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/sections/section_tool.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 #include "render/labels/orientation_letters.h"
 #include "tests/support/suite.h"
 #include "widgets/viewport/orientation_cube.h"

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "model/edit/annotations.h"
-#include "model/scene/shortest_distance.h"
-#include "render/labels/seen_map.h"
+#include "model/lengths/shortest_distance.h"
+#include "render/labels/seen/seen_map.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/annotations/label_preferences.h"

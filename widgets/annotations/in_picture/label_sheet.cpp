@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "render/labels/sight.h"
+#include "render/labels/seen/sight.h"
 
 namespace sline::widgets {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/annotations.h"
-#include "model/scene/camera_moves.h"
 #include "model/scene/cut_place.h"
 #include "render/lettering/fitted_sides.h"
 #include "render/lettering/label_style.h"

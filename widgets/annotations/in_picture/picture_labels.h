@@ -4,7 +4,7 @@
 #include <QObject>
 #include <functional>
 
-#include "model/scene/free_sides.h"
+#include "model/camera/free_sides.h"
 #include "widgets/annotations/in_picture/label_editor.h"
 #include "widgets/annotations/in_picture/label_tool.h"
 #include "widgets/annotations/label_sights.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 
 namespace sline::widgets {
 

@@ -3,8 +3,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/camera/camera_moves.h"
 #include "model/geometry/nearest_point.h"
-#include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
 

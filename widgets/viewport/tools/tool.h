@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "model/scene/camera_moves.h"
+#include "model/camera/camera_moves.h"
 
 namespace sline::widgets {
 

@@ -8,7 +8,7 @@
 
 #include "model/import/plan/import.h"
 #include "model/import/plan/reload.h"
-#include "model/scene/measured_extent.h"
+#include "model/lengths/measured_extent.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"

@@ -10,11 +10,11 @@
 #include <map>
 
 #include "model/demo/demo.h"
-#include "model/scene/shortest_distance.h"
+#include "model/lengths/shortest_distance.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/plate/legend.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "tests/render/export/description/id_buffer.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/scene/visible_structures.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 
 namespace sline::test {
 

@@ -11,7 +11,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/figure/figure_checks.h"
 #include "render/export/figure/line_weights.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "tests/render/export/figure/sample_figure.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

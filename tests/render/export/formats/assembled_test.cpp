@@ -4,8 +4,8 @@
 #include <QtTest>
 #include <cmath>
 
+#include "model/camera/camera_moves.h"
 #include "model/edit/views.h"
-#include "model/scene/camera_moves.h"
 #include "render/export/formats/assembled.h"
 #include "render/export/motion/film.h"
 #include "render/export/motion/film_options.h"

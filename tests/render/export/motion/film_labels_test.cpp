@@ -14,7 +14,7 @@
 #include "model/edit/views.h"
 #include "model/import/plan/import.h"
 #include "render/export/order/view_orders.h"
-#include "render/labels/seen_map.h"
+#include "render/labels/seen/seen_map.h"
 #include "render/lettering/typesetting.h"
 #include "render/measures/leader_truth.h"
 #include "render/picture/headless/headless_picture.h"

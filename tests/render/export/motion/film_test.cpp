@@ -11,8 +11,8 @@
 #include "model/focus/context.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/motion/gif_palette.h"
-#include "render/labels/screen.h"
-#include "render/labels/sight.h"
+#include "render/labels/seen/screen.h"
+#include "render/labels/seen/sight.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "model/scene/camera.h"
+#include "model/camera/camera.h"
 #include "render/export/packages/accepted_names.h"
 #include "render/export/packages/h5p_package.h"
 #include "render/export/packages/moodle_quiz.h"

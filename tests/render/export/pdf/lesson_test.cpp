@@ -10,7 +10,7 @@
 #include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "render/lettering/typesetting.h"
 #include "tests/render/export/slides/lesson.h"
 #include "tests/support/suite.h"

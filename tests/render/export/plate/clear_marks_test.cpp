@@ -12,7 +12,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/plate_image.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "render/lettering/typesetting.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

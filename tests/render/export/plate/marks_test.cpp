@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render/export/plate/figure_plate.h"
-#include "render/labels/screen.h"
+#include "render/labels/seen/screen.h"
 #include "render/lettering/typesetting.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what of a scene a students' page holds, and how large scenes are simplified.
 #include "model/edit/views.h"
+#include "model/lengths/shortest_distance.h"
 #include "model/scene/known_frame.h"
-#include "model/scene/shortest_distance.h"
 #include "render/export/students/page_order.h"
 #include "render/export/students/students_file.h"
 #include "tests/render/export/slides/lesson.h"
