@@ -49,13 +49,16 @@ export class Stage {
     this.frame = 0;
     this.rest = 0;
     this.moving = false;
+    this.left = false;
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       lesson.tell({ type: "lost" });
     });
     lesson.hear(["chosen", "quiz"], () => this.showChosen());
     lesson.hear(["labels", "language", "quiz"], () => this.showLabels());
-    lesson.hear(["language", "view", "chosen"], () => this.describe());
+    lesson.hear("grab", () => this.leave(true));
+    lesson.hear("view", () => this.leave(false));
+    lesson.hear(["language", "chosen"], () => this.describe());
     this.describe();
   }
 
@@ -93,11 +96,19 @@ export class Stage {
     this.drawNow();
   }
 
+  /** The view that is described is the one seen, or no longer quite. @param {boolean} left */
+  leave(left) {
+    this.left = left;
+    this.describe();
+  }
+
   describe() {
     const { lesson } = this;
-    const view = lesson.facts.views[lesson.view - 1];
+    // The page opens with what the first view shows.
+    const view = lesson.facts.views[Math.max(lesson.view, 1) - 1];
     const alt = lesson.pick(view?.alt) ?? lesson.pick(lesson.facts.alt);
-    this.words.textContent = lesson.asking || lesson.nameless ? "" : (alt?.words ?? "");
+    const words = lesson.asking || lesson.nameless ? "" : (alt?.words ?? "");
+    this.words.textContent = words && this.left ? lesson.say("moved", words) : words;
     this.words.lang = alt?.language ?? "";
     this.element.setAttribute("aria-label", lesson.facts.title || lesson.say("drawing"));
     this.element.setAttribute("aria-roledescription", lesson.say("drawing"));

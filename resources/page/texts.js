@@ -18,6 +18,8 @@ export const textTable = {
 
   drawing: ["drawing that can be turned", "drehbare Zeichnung", "draaibare tekening", "dreibar tegning"],
   opening: ["Opening …", "Wird geöffnet …", "Wordt geopend …", "Åpner …"],
+  moved: ["Before it was moved: {0}", "Bevor sie bewegt wurde: {0}", "Voordat ze werd bewogen: {0}",
+    "Før den ble flyttet: {0}"],
   context: ["Surroundings follow …", "Umgebung folgt …", "Omgeving volgt …", "Omgivelsene følger …"],
   contextFailed: ["The surroundings could not be read: {0}", "Die Umgebung ließ sich nicht lesen: {0}",
     "De omgeving kon niet worden gelezen: {0}", "Omgivelsene kunne ikke leses: {0}"],

@@ -42,11 +42,16 @@ test("button, contents and keys lead through the views", async () => {
 
 test("on the drawing arrows turn, and Page Down goes on", async () => {
   const page = await pages.show();
+  // Who listens hears what is seen: it opens with the first view, and once moved it is that no more.
+  const heard = () => page.locator("#scene-words").textContent();
+  const first = await heard();
   await page.locator("#stage").focus();
   await page.keyboard.press("ArrowRight");
   assert.equal(await page.locator(".view-text").count(), 0);
+  assert.equal(await heard(), `Before it was moved: ${first}`);
   await page.keyboard.press("PageDown");
   assert.equal(await title(page), "The bladder from in front");
+  assert.equal(await heard(), first);
   await page.done();
 });
 
