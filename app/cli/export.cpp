@@ -63,10 +63,6 @@ struct ParsedExport {
   PictureSpec spec;
 };
 
-bool hasSheet(const render::ExportOrder& job) {
-  return job.of<render::SheetOptions>().kind != render::SheetKind::none;
-}
-
 bool areAllViews(const render::ExportOrder& job) {
   return job.of<render::ViewsOptions>().subject == render::ViewSubject::all;
 }
@@ -74,7 +70,7 @@ bool areAllViews(const render::ExportOrder& job) {
 /// Checks options against each other.
 Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
   const auto& sheet = job.of<render::SheetOptions>();
-  if (sheet.kind == render::SheetKind::none && !areAllViews(job))
+  if (!render::hasSheet(job) && !areAllViews(job))
     for (const render::ExportOption* option : render::paperOptions())
       if (!flags.options.typed(*option).empty())
         return Error{.reason = std::string(option->flag) + " is of sheets of paper alone",
@@ -105,7 +101,7 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   wish.job.credit = {render::plainLine(wish.job.credit.author),
                      render::plainLine(wish.job.credit.copyright)};
   // Without a word about labels a sheet has those of its kind.
-  if (wish.job.of<render::SheetOptions>().kind != render::SheetKind::none)
+  if (render::hasSheet(wish.job))
     flags.picture.labels.mode = render::LabelMode::off;
   const PictureSpec spec = TRY(parsePictureFlags(flags, page));
   wish.spec = spec;
@@ -137,7 +133,7 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
   TRY(parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>()));
   TRY(checkAskedNames(job));
   // Pictures beside a sheet are of its figure.
-  if (hasSheet(job) && !areAllViews(job))
+  if (render::hasSheet(job) && !areAllViews(job))
     job.page.sizeMm = render::sheetFigureMm(job);
   return job;
 }
@@ -162,7 +158,7 @@ render::Framing framingOf(const render::ExportOrder& job, const PictureSpec& spe
 /// Tells that files written beside a sheet show the sheet's figure and are as large.
 void tellOfSheet(const render::ExportOrder& job,
                  const std::map<std::string, std::string>& targets) {
-  if (!hasSheet(job) || areAllViews(job))
+  if (!render::hasSheet(job) || areAllViews(job))
     return;
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)

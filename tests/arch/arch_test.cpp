@@ -235,6 +235,8 @@ class ArchTest : public QObject {
     QVERIFY(tries("  if (const Status a = f();\n      !a.ok())\n    return a.error();\n"));
     QVERIFY(!tries("  const Result<int> a = f();\n  g();\n" + handsOn));
     QVERIFY(!tries("int h(Result<int> a) {\n" + handsOn));
+    QVERIFY(tries("{\n  TRY(Typesetting::create());\n"));
+    QVERIFY(!tries("{\n  const auto typesetting = TRY(Typesetting::create());\n"));
     QVERIFY(!tries("  const Result<int> a = f();\n  if (!a.ok())\n    return named(a.error());\n"));
     QVERIFY(!checkTopLevel({"app", "scripts"}).empty());
     const std::set<std::string> sections = methodSections("## 7. A\n1. b\n   2. c\n## 10. D\n");

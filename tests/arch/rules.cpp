@@ -356,8 +356,11 @@ Complaints checkCitations(const File& file, const std::set<std::string>& section
 Complaints checkTries(const File& file) {
   static const std::regex handsOn(R"(!(\w+)(?:\.ok\(\))?\)\n\s*return \1\.error\(\);)");
   static const std::regex declared(R"(^(\s*)(?:const )?(?:auto|Status|Result<.*>) (\w+) =.*)");
+  static const std::regex dropped(R"([;{})]\n\s*TRY\(\w+(?:::\w+)*::(?:create|acquire|open)\()");
   Complaints out;
   const std::string& text = file.text;
+  if (std::regex_search(text, dropped))
+    out.push_back(file.path + " ends at once what it has made in a TRY: it has to be kept");
   for (std::sregex_iterator it(text.begin(), text.end(), handsOn), end; it != end; ++it) {
     const std::string name = (*it)[1];
     const auto at = std::size_t(it->position());

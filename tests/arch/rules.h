@@ -42,7 +42,8 @@ std::set<std::string> methodSections(const std::string& method);
 /// Checks that what a file cites of METHOD.md ("METHOD §7, §10", "METHOD §11.4") is there.
 Complaints checkCitations(const File& file, const std::set<std::string>& sections);
 /// Checks that errors which a function only hands on are handed on with `TRY`
-/// (model/base/result.h).
+/// (model/base/result.h), and that what is made in one is kept: `TRY(X::create());` ends it at
+/// once.
 Complaints checkTries(const File& file);
 /// The first lines hold the licence's SPDX line.
 Complaints checkLicenceLine(const File& file);

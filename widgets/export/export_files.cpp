@@ -2,9 +2,6 @@
 #include "widgets/export/export_files.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "model/edit/views.h"
@@ -44,25 +41,16 @@ render::ExportWish wishOf(const ExportDraft& draft, const ExportSource& source) 
     order.viewName = std::string(model::anatomicalViewNames[std::size_t(*side)]);
   }
   order.environment.keyLight = source.keyLight;
+  // A page shows all that the window does.
   wish.framing = [camera = source.camera,
                   aspect = source.aspect](const render::ExportOrder& asked) {
-    return Result(reframed(camera, aspect, asked.page.sizeMm.x / asked.page.sizeMm.y));
+    const glm::vec2& page = asked.page.sizeMm;
+    return Result(render::widened(camera, aspect * page.y / page.x));
   };
   return wish;
 }
 
 }  // namespace
-
-model::Camera reframed(model::Camera camera, float before, float aspect) {
-  const float wider = before / aspect;
-  if (!(wider > 1.0f) || !std::isfinite(wider))
-    return camera;
-  constexpr float widest = 150.0f;  // degrees
-  const float half = model::edgeSlope(camera);
-  camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(wider * half)));
-  camera.heightMm *= wider;
-  return camera;
-}
 
 std::vector<render::ExportPiece> exportFiles(const ExportDraft& draft, const ExportSource& source) {
   const render::ExportFormat* format = formatOf(draft.kind);

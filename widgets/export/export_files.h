@@ -19,10 +19,6 @@ struct ExportSource {
   render::ExportOrder seen;  ///< how the window shows it: its ground, labels and marks
 };
 
-/// Returns the camera moved such that a picture of width / height `aspect` shows all that one of
-/// `before` shows.
-model::Camera reframed(model::Camera camera, float before, float aspect);
-
 /// Returns the files to write (`render::assembled`): never none.
 std::vector<render::ExportPiece> exportFiles(const ExportDraft& draft, const ExportSource& source);
 /// Returns what can be looked at of those files: these or, where one holds all views, each view as

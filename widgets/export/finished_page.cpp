@@ -10,20 +10,12 @@
 
 namespace sline::widgets {
 
-namespace {
-
-bool hasSheet(const render::ExportOrder& order) {
-  return order.of<render::SheetOptions>().kind != render::SheetKind::none;
-}
-
-}  // namespace
-
 glm::vec2 paperMm(const render::ExportOrder& order) {
-  return hasSheet(order) ? render::sheetLayout(order).paper : order.page.sizeMm;
+  return render::hasSheet(order) ? render::sheetLayout(order).paper : order.page.sizeMm;
 }
 
 FinishedPages finishedPages(const QImage& picture, const render::ExportOrder& order, int width) {
-  if (hasSheet(order)) {
+  if (render::hasSheet(order)) {
     FinishedPages pages;
     Result<std::vector<QImage>> sheet = render::sheetPictures(order, picture, width, &pages.notes);
     if (sheet.ok())

@@ -22,10 +22,6 @@ bool wantsViews(const ExportOrder& order, const ExportFormat& format) {
   return meansAllViews(order.of<ViewsOptions>().subject, format);
 }
 
-bool hasSheet(const ExportOrder& order) {
-  return order.of<SheetOptions>().kind != SheetKind::none;
-}
-
 /// Gives the order what all files of the kind have, whatever they show.
 void takeKind(ExportOrder& order, const ExportFormat& format) {
   if (format.has(viewsOption))

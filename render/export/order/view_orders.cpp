@@ -91,20 +91,23 @@ std::string titleOfView(const model::View& view, const std::string& language,
   return name.toStdString();
 }
 
+model::Camera widened(model::Camera camera, float times) {
+  if (!(times > 1.0f) || !std::isfinite(times))
+    return camera;
+  constexpr float widest = 150.0f;  // degrees
+  const float half = model::edgeSlope(camera);
+  camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(times * half)));
+  camera.heightMm *= times;
+  return camera;
+}
+
 model::Camera fittedToPage(const model::Scene& scene, model::Camera camera, float aspect) {
   if (!(aspect > 0.0f) || aspect >= wideAspect || model::cameraFault(camera))
     return camera;
   float wanted = 0.0f;
   for (const model::VisibleStructure& structure : model::visibleStructures(scene))
     wanted = std::max(wanted, aspectFor(camera, structure.node->mesh->bounds()));
-  const float wider = wanted / aspect;
-  if (!(wider > 1.0f) || !std::isfinite(wider))
-    return camera;
-  constexpr float widest = 150.0f;  // degrees
-  const float half = model::edgeSlope(camera);
-  camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(wider * half)));
-  camera.heightMm *= wider;
-  return camera;
+  return widened(camera, wanted / aspect);
 }
 
 std::string safeFileName(const std::string& text) {

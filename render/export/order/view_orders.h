@@ -37,6 +37,9 @@ ExportOrder pictureOfView(const ExportOrder& order, const model::View& view);
 std::string titleOfView(const model::View& view, const std::string& language,
                         const model::KnownSides& sides);
 
+/// Returns the camera moved back, or opened, so that its picture shows so many times as much; it
+/// opens no wider than 150°.
+model::Camera widened(model::Camera camera, float times);
 /// Returns the camera moved back, or opened, as far as a page of that shape (width / height) needs
 /// to show all structures that a wide page shows: views are saved in wide windows, and know only
 /// their height.

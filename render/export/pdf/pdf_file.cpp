@@ -16,8 +16,8 @@ Result<QByteArray> documentOf(const ExportOrder& order, const std::filesystem::p
                               const ExportProgress& progress) {
   if (wantsAllViews(order))
     return lessonDocument(order, target, progress);
-  return order.of<SheetOptions>().kind == SheetKind::none ? figureDocument(order, target, progress)
-                                                          : sheetDocument(order, target, progress);
+  return hasSheet(order) ? sheetDocument(order, target, progress)
+                         : figureDocument(order, target, progress);
 }
 
 }  // namespace

@@ -355,8 +355,7 @@ glm::vec2 sheetPaperMm(const ExportOrder& order) {
 }
 
 glm::vec2 sheetFigureMm(const ExportOrder& order) {
-  return order.of<SheetOptions>().kind == SheetKind::none ? order.page.sizeMm
-                                                          : sheetLayout(order).figure.size();
+  return hasSheet(order) ? sheetLayout(order).figure.size() : order.page.sizeMm;
 }
 
 }  // namespace sline::render

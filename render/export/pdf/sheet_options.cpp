@@ -36,8 +36,7 @@ constexpr std::array papers{
                  .value = int(Paper::letter)}};
 
 bool isSheet(const ExportOrder& order) {
-  return order.of<SheetOptions>().kind != SheetKind::none ||
-         order.of<ViewsOptions>().subject == ViewSubject::all;
+  return hasSheet(order) || order.of<ViewsOptions>().subject == ViewSubject::all;
 }
 
 constexpr ExportOption paper{
@@ -141,6 +140,10 @@ constinit const ExportOption sheetOption{
                              "The page around the figure, of a paper of its own"),
     .kind = ChoiceOption{sheetKinds},
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().kind; })};
+
+bool hasSheet(const ExportOrder& order) {
+  return order.of<SheetOptions>().kind != SheetKind::none;
+}
 
 OptionList sheetOptions() {
   static constexpr std::array all{

@@ -21,6 +21,9 @@ struct SheetOptions {
   bool operator==(const SheetOptions&) const = default;
 };
 
+/// Tells whether the order is of a sheet of paper, and not of the figure alone.
+bool hasSheet(const ExportOrder& order);
+
 OptionList sheetOptions();
 /// Returns those of them that mean something to sheets alone.
 OptionList paperOptions();
